@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# Every check of the library for C and C++; `check.sh long` takes more ticks. Installs what it needs where apt-get can.
-# A check that cannot run says SKIPPED and why.
+# The checks of the library for C and C++ that fit into every run; `check.sh long` takes more ticks and more machines, and runs Miri.
+# Installs what it needs where apt-get can. A check that cannot run says SKIPPED and why.
 set -euo pipefail
 cd "$(dirname "$0")"
 
 long=${1:-}
 host_ticks=$([ "$long" = long ] && echo 1000000 || echo 20000)
-bare_ticks=$([ "$long" = long ] && echo 10000 || echo 500)
+bare_ticks=$([ "$long" = long ] && echo 10000 || echo 100)
+bare_targets=(thumbv7em-none-eabihf)
+[ "$long" != long ] || bare_targets+=(thumbv6m-none-eabi)
 out=$PWD/target/check
 mkdir -p "$out"
 export CARGO_TARGET_DIR=$PWD/target
@@ -94,8 +96,12 @@ installs() { # where find_package and pkg-config find it
 }
 
 bytes_are_equal() { # how many ticks
-    cargo run --quiet --release -p lyapunov-equal --bin lyapunov-equal -- "$1" >"$out/equal.rust"
-    "$out/equal" "$1" | diff "$out/equal.rust" -
+    local rust
+    target/release/lyapunov-equal "$1" >"$out/equal.rust" &
+    rust=$!
+    "$out/equal" "$1" >"$out/equal.c"
+    wait $rust
+    diff "$out/equal.rust" "$out/equal.c"
     echo "$(wc -l <"$out/equal.rust") blocks, $1 ticks each: equal"
 }
 
@@ -127,7 +133,7 @@ on_a_microcontroller() {
         skipped "microcontrollers: arm-none-eabi-gcc is not here (Debian: gcc-arm-none-eabi, libnewlib-arm-none-eabi)"
         return
     fi
-    for target in thumbv7em-none-eabihf thumbv6m-none-eabi; do
+    for target in "${bare_targets[@]}"; do
         if ! [ -d "$(rustc --print sysroot)/lib/rustlib/$target" ] && ! rustup target add $target >/dev/null 2>&1; then
             skipped "$target: the target cannot be had here (rustup target add failed)"
             continue
@@ -144,7 +150,7 @@ on_a_microcontroller() {
         return
     fi
     [ -f target/thumbv7em-none-eabihf/release/liblyapunov_c.a ] || return 0
-    cargo run --quiet --release -p lyapunov-equal --bin lyapunov-equal -- "$bare_ticks" >"$out/equal.bare"
+    target/release/lyapunov-equal "$bare_ticks" >"$out/equal.bare"
     for board in mps2-an386:cortex-m4 mps2-an500:cortex-m7; do
         flags="-mcpu=${board#*:} -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
         bare "$out/${board#*:}.elf" "$flags" --specs=rdimon.specs -nostartfiles -T tests/bare/mps2.ld \
@@ -160,20 +166,20 @@ on_a_microcontroller() {
 
 install_what_is_missing
 
-step "formatting and lints"
-cargo fmt --all --check
-cargo clippy --quiet --features describe --all-targets -- -D warnings
-step "the header, its classes and the table of the binary interface are those of the functions"
-cargo test --quiet --features describe
-step "every byte is initialised (Miri)"
-if cargo +nightly miri --version >/dev/null 2>&1; then
-    # The padding of a block would be read here before it is written.
-    MIRIFLAGS=-Zmiri-disable-isolation cargo +nightly miri test --quiet --target-dir target/miri --test bytes
-else
-    skipped "Miri: it is not here (rustup component add miri rust-src --toolchain nightly)"
-fi
+# Beside the build of the library, which keeps one processor busy.
+lints_and_tests() {
+    step "formatting and lints"
+    cargo fmt --all --check
+    cargo clippy --quiet --features describe --all-targets -- -D warnings
+    step "the header, its classes and the table of the binary interface are those of the functions"
+    cargo test --quiet --features describe
+}
+(lints_and_tests) >"$out/lints.log" 2>&1 &
+lints=$!
+
 step "the library"
 archive "" staticlib,cdylib
+cargo build --quiet --release -p lyapunov-equal --bins
 step "what it exports"
 exports_what_the_header_says
 step "no warning"
@@ -204,7 +210,17 @@ step "C equals Rust"
 gcc -O2 -std=c11 "${warnings[@]}" -Iinclude tests/c/equal.c $library -o "$out/equal"
 bytes_are_equal "$host_ticks"
 on_a_microcontroller
+wait $lints || { cat "$out/lints.log"; exit 1; }
+cat "$out/lints.log"
 # Those machines for which the library is built by now, or all of them.
-if [ "$long" = long ]; then tests/frames.sh long; else tests/frames.sh "$(uname -m)-linux" cortex-m0 cortex-m4f; fi
+if [ "$long" = long ]; then tests/frames.sh long; else tests/frames.sh "$(uname -m)-linux" cortex-m4f; fi
 step "what a step costs through C"
-cargo run --quiet --release -p lyapunov-equal --bin cost -- target/release/liblyapunov_c.so
+tests/cost.sh
+[ "$long" = long ] || exit 0
+step "every byte is initialised (Miri)"
+if cargo +nightly miri --version >/dev/null 2>&1; then
+    # The padding of a block would be read here before it is written.
+    MIRIFLAGS=-Zmiri-disable-isolation cargo +nightly miri test --quiet --target-dir target/miri --test bytes
+else
+    skipped "Miri: it is not here (rustup component add miri rust-src --toolchain nightly)"
+fi

@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 /* Version of the binary interface; init refuses another one. */
-#define LYAPUNOV_ABI 1u
+#define LYAPUNOV_ABI 2u
 
 #ifndef LYAPUNOV_API
 #define LYAPUNOV_API extern
@@ -123,6 +123,15 @@ typedef struct lyapunov_f32screw {
 LYAPUNOV_ASSERT(sizeof(lyapunov_f32screw) == 24, lyapunov_f32screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_f32screw, translation) == 0, lyapunov_f32screw_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_f32screw, rotation) == 12, lyapunov_f32screw_rotation);
+typedef struct lyapunov_f32pose {
+    /* Position of the reference point, m. */
+    float position[3];
+    /* Orientation as a quaternion: x, y, z, w. Its length does not matter, unless it is 0. */
+    float quaternion[4];
+} lyapunov_f32pose;
+LYAPUNOV_ASSERT(sizeof(lyapunov_f32pose) == 28, lyapunov_f32pose_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_f32pose, position) == 0, lyapunov_f32pose_position);
+LYAPUNOV_ASSERT(offsetof(lyapunov_f32pose, quaternion) == 12, lyapunov_f32pose_quaternion);
 typedef struct lyapunov_f64x3 {
     /* The axes. */
     double axis[3];
@@ -177,6 +186,15 @@ typedef struct lyapunov_f64screw {
 LYAPUNOV_ASSERT(sizeof(lyapunov_f64screw) == 48, lyapunov_f64screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_f64screw, translation) == 0, lyapunov_f64screw_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_f64screw, rotation) == 24, lyapunov_f64screw_rotation);
+typedef struct lyapunov_f64pose {
+    /* Position of the reference point, m. */
+    double position[3];
+    /* Orientation as a quaternion: x, y, z, w. Its length does not matter, unless it is 0. */
+    double quaternion[4];
+} lyapunov_f64pose;
+LYAPUNOV_ASSERT(sizeof(lyapunov_f64pose) == 56, lyapunov_f64pose_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_f64pose, position) == 0, lyapunov_f64pose_position);
+LYAPUNOV_ASSERT(offsetof(lyapunov_f64pose, quaternion) == 24, lyapunov_f64pose_quaternion);
 
 /* Samples and corrections: what the other side of a port did since the last call, and what a stabilizer did to
    an effort */
@@ -242,6 +260,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32, accepted) == 24, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32, jumped) == 28, lyapunov_checked_sample_f32_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32, late) == 32, lyapunov_checked_sample_f32_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32, timed) == 36, lyapunov_checked_sample_f32_timed);
+typedef struct lyapunov_wave_f32 {
+    /* The flow, m/s. */
+    float flow;
+    /* The effort, N. */
+    float effort;
+    /* The wave that travels with the flow, root of W. */
+    float there;
+    /* The wave that comes back, root of W. */
+    float back;
+} lyapunov_wave_f32;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32) == 16, lyapunov_wave_f32_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32, flow) == 0, lyapunov_wave_f32_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32, effort) == 4, lyapunov_wave_f32_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32, there) == 8, lyapunov_wave_f32_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32, back) == 12, lyapunov_wave_f32_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef float (*lyapunov_candidate_f32)(void *context, const lyapunov_sample_f32 *sample);
 typedef struct lyapunov_sample_f64 {
@@ -306,6 +339,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64, accepted) == 48, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64, jumped) == 52, lyapunov_checked_sample_f64_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64, late) == 56, lyapunov_checked_sample_f64_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64, timed) == 60, lyapunov_checked_sample_f64_timed);
+typedef struct lyapunov_wave_f64 {
+    /* The flow, m/s. */
+    double flow;
+    /* The effort, N. */
+    double effort;
+    /* The wave that travels with the flow, root of W. */
+    double there;
+    /* The wave that comes back, root of W. */
+    double back;
+} lyapunov_wave_f64;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64) == 32, lyapunov_wave_f64_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64, flow) == 0, lyapunov_wave_f64_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64, effort) == 8, lyapunov_wave_f64_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64, there) == 16, lyapunov_wave_f64_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64, back) == 24, lyapunov_wave_f64_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef double (*lyapunov_candidate_f64)(void *context, const lyapunov_sample_f64 *sample);
 typedef struct lyapunov_sample_f32x3 {
@@ -370,6 +418,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x3, accepted) == 64, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x3, jumped) == 68, lyapunov_checked_sample_f32x3_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x3, late) == 72, lyapunov_checked_sample_f32x3_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x3, timed) == 76, lyapunov_checked_sample_f32x3_timed);
+typedef struct lyapunov_wave_f32x3 {
+    /* The flow, m/s. */
+    lyapunov_f32x3 flow;
+    /* The effort, N. */
+    lyapunov_f32x3 effort;
+    /* The wave that travels with the flow, root of W. */
+    lyapunov_f32x3 there;
+    /* The wave that comes back, root of W. */
+    lyapunov_f32x3 back;
+} lyapunov_wave_f32x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32x3) == 48, lyapunov_wave_f32x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x3, flow) == 0, lyapunov_wave_f32x3_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x3, effort) == 12, lyapunov_wave_f32x3_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x3, there) == 24, lyapunov_wave_f32x3_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x3, back) == 36, lyapunov_wave_f32x3_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef float (*lyapunov_candidate_f32x3)(void *context, const lyapunov_sample_f32x3 *sample);
 typedef struct lyapunov_sample_f64x3 {
@@ -434,6 +497,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x3, accepted) == 128, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x3, jumped) == 132, lyapunov_checked_sample_f64x3_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x3, late) == 136, lyapunov_checked_sample_f64x3_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x3, timed) == 140, lyapunov_checked_sample_f64x3_timed);
+typedef struct lyapunov_wave_f64x3 {
+    /* The flow, m/s. */
+    lyapunov_f64x3 flow;
+    /* The effort, N. */
+    lyapunov_f64x3 effort;
+    /* The wave that travels with the flow, root of W. */
+    lyapunov_f64x3 there;
+    /* The wave that comes back, root of W. */
+    lyapunov_f64x3 back;
+} lyapunov_wave_f64x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64x3) == 96, lyapunov_wave_f64x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x3, flow) == 0, lyapunov_wave_f64x3_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x3, effort) == 24, lyapunov_wave_f64x3_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x3, there) == 48, lyapunov_wave_f64x3_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x3, back) == 72, lyapunov_wave_f64x3_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef double (*lyapunov_candidate_f64x3)(void *context, const lyapunov_sample_f64x3 *sample);
 typedef struct lyapunov_sample_f32x6 {
@@ -498,6 +576,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x6, accepted) == 124, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x6, jumped) == 128, lyapunov_checked_sample_f32x6_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x6, late) == 132, lyapunov_checked_sample_f32x6_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32x6, timed) == 136, lyapunov_checked_sample_f32x6_timed);
+typedef struct lyapunov_wave_f32x6 {
+    /* The flow, m/s. */
+    lyapunov_f32x6 flow;
+    /* The effort, N. */
+    lyapunov_f32x6 effort;
+    /* The wave that travels with the flow, root of W. */
+    lyapunov_f32x6 there;
+    /* The wave that comes back, root of W. */
+    lyapunov_f32x6 back;
+} lyapunov_wave_f32x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32x6) == 96, lyapunov_wave_f32x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x6, flow) == 0, lyapunov_wave_f32x6_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x6, effort) == 24, lyapunov_wave_f32x6_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x6, there) == 48, lyapunov_wave_f32x6_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32x6, back) == 72, lyapunov_wave_f32x6_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef float (*lyapunov_candidate_f32x6)(void *context, const lyapunov_sample_f32x6 *sample);
 typedef struct lyapunov_sample_f64x6 {
@@ -562,6 +655,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x6, accepted) == 248, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x6, jumped) == 252, lyapunov_checked_sample_f64x6_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x6, late) == 256, lyapunov_checked_sample_f64x6_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64x6, timed) == 260, lyapunov_checked_sample_f64x6_timed);
+typedef struct lyapunov_wave_f64x6 {
+    /* The flow, m/s. */
+    lyapunov_f64x6 flow;
+    /* The effort, N. */
+    lyapunov_f64x6 effort;
+    /* The wave that travels with the flow, root of W. */
+    lyapunov_f64x6 there;
+    /* The wave that comes back, root of W. */
+    lyapunov_f64x6 back;
+} lyapunov_wave_f64x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64x6) == 192, lyapunov_wave_f64x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x6, flow) == 0, lyapunov_wave_f64x6_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x6, effort) == 48, lyapunov_wave_f64x6_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x6, there) == 96, lyapunov_wave_f64x6_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64x6, back) == 144, lyapunov_wave_f64x6_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef double (*lyapunov_candidate_f64x6)(void *context, const lyapunov_sample_f64x6 *sample);
 typedef struct lyapunov_sample_f32screw {
@@ -626,6 +734,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32screw, accepted) == 124, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32screw, jumped) == 128, lyapunov_checked_sample_f32screw_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32screw, late) == 132, lyapunov_checked_sample_f32screw_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f32screw, timed) == 136, lyapunov_checked_sample_f32screw_timed);
+typedef struct lyapunov_wave_f32screw {
+    /* The flow, m/s. */
+    lyapunov_f32screw flow;
+    /* The effort, N. */
+    lyapunov_f32screw effort;
+    /* The wave that travels with the flow, root of W. */
+    lyapunov_f32screw there;
+    /* The wave that comes back, root of W. */
+    lyapunov_f32screw back;
+} lyapunov_wave_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32screw) == 96, lyapunov_wave_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32screw, flow) == 0, lyapunov_wave_f32screw_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32screw, effort) == 24, lyapunov_wave_f32screw_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32screw, there) == 48, lyapunov_wave_f32screw_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f32screw, back) == 72, lyapunov_wave_f32screw_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef float (*lyapunov_candidate_f32screw)(void *context, const lyapunov_sample_f32screw *sample);
 typedef struct lyapunov_sample_f64screw {
@@ -690,6 +813,21 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64screw, accepted) == 248, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64screw, jumped) == 252, lyapunov_checked_sample_f64screw_jumped);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64screw, late) == 256, lyapunov_checked_sample_f64screw_late);
 LYAPUNOV_ASSERT(offsetof(lyapunov_checked_sample_f64screw, timed) == 260, lyapunov_checked_sample_f64screw_timed);
+typedef struct lyapunov_wave_f64screw {
+    /* The flow, m/s. */
+    lyapunov_f64screw flow;
+    /* The effort, N. */
+    lyapunov_f64screw effort;
+    /* The wave that travels with the flow, root of W. */
+    lyapunov_f64screw there;
+    /* The wave that comes back, root of W. */
+    lyapunov_f64screw back;
+} lyapunov_wave_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64screw) == 192, lyapunov_wave_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64screw, flow) == 0, lyapunov_wave_f64screw_flow);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64screw, effort) == 48, lyapunov_wave_f64screw_effort);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64screw, there) == 96, lyapunov_wave_f64screw_there);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64screw, back) == 144, lyapunov_wave_f64screw_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef double (*lyapunov_candidate_f64screw)(void *context, const lyapunov_sample_f64screw *sample);
 /* The limit cap * mass / period, N.s/m, for an effort that acts `late` ticks late: `mass` is the least that
@@ -2534,6 +2672,198 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x6_missed_moving_at(
 /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
    being read. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x6_restart(lyapunov_readings_measured_clocked_f64x6 *storage);
+
+/* lyapunov_readings_of_poses_f32screw: Readings of poses at a fixed period (Readings::of_poses), with twists
+   by differences. The position of a sample is the sum of the displacements from one accepted pose to the next.
+   A pose that is not finite, or whose quaternion is 0, is rejected. */
+typedef struct lyapunov_readings_of_poses_f32screw_parameters {
+    /* The period, s. */
+    float period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    float fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    float fastest_rotation;
+} lyapunov_readings_of_poses_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f32screw_parameters) == 12, lyapunov_readings_of_poses_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_parameters, period) == 0, lyapunov_readings_of_poses_f32screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_f32screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_f32screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[50];
+} lyapunov_readings_of_poses_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f32screw) == 204, lyapunov_readings_of_poses_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw, tag) == 0, lyapunov_readings_of_poses_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw, kept) == 4, lyapunov_readings_of_poses_f32screw_kept);
+typedef struct lyapunov_readings_of_poses_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[47];
+} lyapunov_readings_of_poses_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f32screw_memory) == 188, lyapunov_readings_of_poses_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_memory, word) == 0, lyapunov_readings_of_poses_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f32screw_init_abi(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_readings_of_poses_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_f32screw_init(storage, parameters) lyapunov_readings_of_poses_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f32screw_retune(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_readings_of_poses_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f32screw_save(const lyapunov_readings_of_poses_f32screw *storage, lyapunov_readings_of_poses_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f32screw_restore(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_readings_of_poses_f32screw_memory *memory);
+/* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f32screw_read(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_f32pose *pose, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f32screw_missed(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f32screw_restart(lyapunov_readings_of_poses_f32screw *storage);
+
+/* lyapunov_readings_of_poses_f64screw: Readings of poses at a fixed period (Readings::of_poses), with twists
+   by differences. The position of a sample is the sum of the displacements from one accepted pose to the next.
+   A pose that is not finite, or whose quaternion is 0, is rejected. */
+typedef struct lyapunov_readings_of_poses_f64screw_parameters {
+    /* The period, s. */
+    double period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    double fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    double fastest_rotation;
+} lyapunov_readings_of_poses_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f64screw_parameters) == 24, lyapunov_readings_of_poses_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_parameters, period) == 0, lyapunov_readings_of_poses_f64screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_f64screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_f64screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[50];
+} lyapunov_readings_of_poses_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f64screw) == 408, lyapunov_readings_of_poses_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw, tag) == 0, lyapunov_readings_of_poses_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw, kept) == 8, lyapunov_readings_of_poses_f64screw_kept);
+typedef struct lyapunov_readings_of_poses_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[47];
+} lyapunov_readings_of_poses_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f64screw_memory) == 376, lyapunov_readings_of_poses_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_memory, word) == 0, lyapunov_readings_of_poses_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f64screw_init_abi(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_readings_of_poses_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_f64screw_init(storage, parameters) lyapunov_readings_of_poses_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f64screw_retune(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_readings_of_poses_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f64screw_save(const lyapunov_readings_of_poses_f64screw *storage, lyapunov_readings_of_poses_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f64screw_restore(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_readings_of_poses_f64screw_memory *memory);
+/* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f64screw_read(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_f64pose *pose, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f64screw_missed(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f64screw_restart(lyapunov_readings_of_poses_f64screw *storage);
+
+/* lyapunov_readings_of_poses_measured_f32screw: Readings of poses at a fixed period, with twists that the
+   device measures. */
+typedef struct lyapunov_readings_of_poses_measured_f32screw_parameters {
+    /* The period, s. */
+    float period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    float fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    float fastest_rotation;
+} lyapunov_readings_of_poses_measured_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f32screw_parameters) == 12, lyapunov_readings_of_poses_measured_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_parameters, period) == 0, lyapunov_readings_of_poses_measured_f32screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_measured_f32screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_measured_f32screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_measured_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[50];
+} lyapunov_readings_of_poses_measured_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f32screw) == 204, lyapunov_readings_of_poses_measured_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw, tag) == 0, lyapunov_readings_of_poses_measured_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw, kept) == 4, lyapunov_readings_of_poses_measured_f32screw_kept);
+typedef struct lyapunov_readings_of_poses_measured_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[47];
+} lyapunov_readings_of_poses_measured_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f32screw_memory) == 188, lyapunov_readings_of_poses_measured_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_memory, word) == 0, lyapunov_readings_of_poses_measured_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f32screw_init_abi(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_readings_of_poses_measured_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_measured_f32screw_init(storage, parameters) lyapunov_readings_of_poses_measured_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f32screw_retune(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_readings_of_poses_measured_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f32screw_save(const lyapunov_readings_of_poses_measured_f32screw *storage, lyapunov_readings_of_poses_measured_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f32screw_restore(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_readings_of_poses_measured_f32screw_memory *memory);
+/* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the
+   last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f32screw_read_moving(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_f32pose *pose, const lyapunov_f32screw *velocity, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f32screw_missed_moving(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f32screw_restart(lyapunov_readings_of_poses_measured_f32screw *storage);
+
+/* lyapunov_readings_of_poses_measured_f64screw: Readings of poses at a fixed period, with twists that the
+   device measures. */
+typedef struct lyapunov_readings_of_poses_measured_f64screw_parameters {
+    /* The period, s. */
+    double period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    double fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    double fastest_rotation;
+} lyapunov_readings_of_poses_measured_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f64screw_parameters) == 24, lyapunov_readings_of_poses_measured_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_parameters, period) == 0, lyapunov_readings_of_poses_measured_f64screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_measured_f64screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_measured_f64screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_measured_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[50];
+} lyapunov_readings_of_poses_measured_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f64screw) == 408, lyapunov_readings_of_poses_measured_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw, tag) == 0, lyapunov_readings_of_poses_measured_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw, kept) == 8, lyapunov_readings_of_poses_measured_f64screw_kept);
+typedef struct lyapunov_readings_of_poses_measured_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[47];
+} lyapunov_readings_of_poses_measured_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f64screw_memory) == 376, lyapunov_readings_of_poses_measured_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_memory, word) == 0, lyapunov_readings_of_poses_measured_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f64screw_init_abi(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_readings_of_poses_measured_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_measured_f64screw_init(storage, parameters) lyapunov_readings_of_poses_measured_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f64screw_retune(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_readings_of_poses_measured_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_save(const lyapunov_readings_of_poses_measured_f64screw *storage, lyapunov_readings_of_poses_measured_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f64screw_restore(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_readings_of_poses_measured_f64screw_memory *memory);
+/* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the
+   last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_read_moving(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_f64pose *pose, const lyapunov_f64screw *velocity, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_missed_moving(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_restart(lyapunov_readings_of_poses_measured_f64screw *storage);
 
 /* lyapunov_popc_f32: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a
    debt back by a damper. */
@@ -10719,6 +11049,398 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f64screw_grant(lyapunov_tank_f64screw
 /* Adds a debt of as many joules. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64screw_owe(lyapunov_tank_f64screw *storage, double debt);
 
+/* lyapunov_energy_tank_f32: Energy tank with a port (EnergyTank): filled by what your controller dissipates,
+   it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
+   samples. */
+typedef struct lyapunov_energy_tank_f32_parameters {
+    /* Energy at the start, J. */
+    float start;
+    /* The least energy, J. */
+    float floor;
+    /* The most energy, J; infinity: no limit. */
+    float ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    float power;
+} lyapunov_energy_tank_f32_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32_parameters) == 16, lyapunov_energy_tank_f32_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_parameters, start) == 0, lyapunov_energy_tank_f32_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_parameters, floor) == 4, lyapunov_energy_tank_f32_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_parameters, ceiling) == 8, lyapunov_energy_tank_f32_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_parameters, power) == 12, lyapunov_energy_tank_f32_parameters_power);
+typedef struct lyapunov_energy_tank_f32 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[5];
+} lyapunov_energy_tank_f32;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32) == 24, lyapunov_energy_tank_f32_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32, tag) == 0, lyapunov_energy_tank_f32_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32, kept) == 4, lyapunov_energy_tank_f32_kept);
+typedef struct lyapunov_energy_tank_f32_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_energy_tank_f32_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32_memory) == 4, lyapunov_energy_tank_f32_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_memory, word) == 0, lyapunov_energy_tank_f32_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_init_abi(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f32_init(storage, parameters) lyapunov_energy_tank_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_retune(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32_save(const lyapunov_energy_tank_f32 *storage, lyapunov_energy_tank_f32_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_restore(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32_pass(lyapunov_energy_tank_f32 *storage, float period, float dissipated, float wished, float flow, float *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_energy_tank_f32_energy(const lyapunov_energy_tank_f32 *storage);
+
+/* lyapunov_energy_tank_f64: Energy tank with a port (EnergyTank): filled by what your controller dissipates,
+   it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
+   samples. */
+typedef struct lyapunov_energy_tank_f64_parameters {
+    /* Energy at the start, J. */
+    double start;
+    /* The least energy, J. */
+    double floor;
+    /* The most energy, J; infinity: no limit. */
+    double ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    double power;
+} lyapunov_energy_tank_f64_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64_parameters) == 32, lyapunov_energy_tank_f64_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_parameters, start) == 0, lyapunov_energy_tank_f64_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_parameters, floor) == 8, lyapunov_energy_tank_f64_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_parameters, ceiling) == 16, lyapunov_energy_tank_f64_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_parameters, power) == 24, lyapunov_energy_tank_f64_parameters_power);
+typedef struct lyapunov_energy_tank_f64 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[5];
+} lyapunov_energy_tank_f64;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64) == 48, lyapunov_energy_tank_f64_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64, tag) == 0, lyapunov_energy_tank_f64_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64, kept) == 8, lyapunov_energy_tank_f64_kept);
+typedef struct lyapunov_energy_tank_f64_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_energy_tank_f64_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64_memory) == 8, lyapunov_energy_tank_f64_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_memory, word) == 0, lyapunov_energy_tank_f64_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_init_abi(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f64_init(storage, parameters) lyapunov_energy_tank_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_retune(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64_save(const lyapunov_energy_tank_f64 *storage, lyapunov_energy_tank_f64_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_restore(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64_pass(lyapunov_energy_tank_f64 *storage, double period, double dissipated, double wished, double flow, double *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_energy_tank_f64_energy(const lyapunov_energy_tank_f64 *storage);
+
+/* lyapunov_energy_tank_f32x3: Energy tank with a port (EnergyTank): filled by what your controller dissipates,
+   it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
+   samples. */
+typedef struct lyapunov_energy_tank_f32x3_parameters {
+    /* Energy at the start, J. */
+    float start;
+    /* The least energy, J. */
+    float floor;
+    /* The most energy, J; infinity: no limit. */
+    float ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    float power;
+} lyapunov_energy_tank_f32x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32x3_parameters) == 16, lyapunov_energy_tank_f32x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_parameters, start) == 0, lyapunov_energy_tank_f32x3_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_parameters, floor) == 4, lyapunov_energy_tank_f32x3_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_parameters, ceiling) == 8, lyapunov_energy_tank_f32x3_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_parameters, power) == 12, lyapunov_energy_tank_f32x3_parameters_power);
+typedef struct lyapunov_energy_tank_f32x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[5];
+} lyapunov_energy_tank_f32x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32x3) == 24, lyapunov_energy_tank_f32x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3, tag) == 0, lyapunov_energy_tank_f32x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3, kept) == 4, lyapunov_energy_tank_f32x3_kept);
+typedef struct lyapunov_energy_tank_f32x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_energy_tank_f32x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32x3_memory) == 4, lyapunov_energy_tank_f32x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_memory, word) == 0, lyapunov_energy_tank_f32x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_init_abi(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f32x3_init(storage, parameters) lyapunov_energy_tank_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_retune(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x3_save(const lyapunov_energy_tank_f32x3 *storage, lyapunov_energy_tank_f32x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_restore(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x3_pass(lyapunov_energy_tank_f32x3 *storage, float period, float dissipated, const lyapunov_f32x3 *wished, const lyapunov_f32x3 *flow, lyapunov_f32x3 *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_energy_tank_f32x3_energy(const lyapunov_energy_tank_f32x3 *storage);
+
+/* lyapunov_energy_tank_f64x3: Energy tank with a port (EnergyTank): filled by what your controller dissipates,
+   it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
+   samples. */
+typedef struct lyapunov_energy_tank_f64x3_parameters {
+    /* Energy at the start, J. */
+    double start;
+    /* The least energy, J. */
+    double floor;
+    /* The most energy, J; infinity: no limit. */
+    double ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    double power;
+} lyapunov_energy_tank_f64x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64x3_parameters) == 32, lyapunov_energy_tank_f64x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_parameters, start) == 0, lyapunov_energy_tank_f64x3_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_parameters, floor) == 8, lyapunov_energy_tank_f64x3_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_parameters, ceiling) == 16, lyapunov_energy_tank_f64x3_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_parameters, power) == 24, lyapunov_energy_tank_f64x3_parameters_power);
+typedef struct lyapunov_energy_tank_f64x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[5];
+} lyapunov_energy_tank_f64x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64x3) == 48, lyapunov_energy_tank_f64x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3, tag) == 0, lyapunov_energy_tank_f64x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3, kept) == 8, lyapunov_energy_tank_f64x3_kept);
+typedef struct lyapunov_energy_tank_f64x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_energy_tank_f64x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64x3_memory) == 8, lyapunov_energy_tank_f64x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_memory, word) == 0, lyapunov_energy_tank_f64x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_init_abi(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f64x3_init(storage, parameters) lyapunov_energy_tank_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_retune(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x3_save(const lyapunov_energy_tank_f64x3 *storage, lyapunov_energy_tank_f64x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_restore(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x3_pass(lyapunov_energy_tank_f64x3 *storage, double period, double dissipated, const lyapunov_f64x3 *wished, const lyapunov_f64x3 *flow, lyapunov_f64x3 *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_energy_tank_f64x3_energy(const lyapunov_energy_tank_f64x3 *storage);
+
+/* lyapunov_energy_tank_f32x6: Energy tank with a port (EnergyTank): filled by what your controller dissipates,
+   it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
+   samples. */
+typedef struct lyapunov_energy_tank_f32x6_parameters {
+    /* Energy at the start, J. */
+    float start;
+    /* The least energy, J. */
+    float floor;
+    /* The most energy, J; infinity: no limit. */
+    float ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    float power;
+} lyapunov_energy_tank_f32x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32x6_parameters) == 16, lyapunov_energy_tank_f32x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_parameters, start) == 0, lyapunov_energy_tank_f32x6_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_parameters, floor) == 4, lyapunov_energy_tank_f32x6_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_parameters, ceiling) == 8, lyapunov_energy_tank_f32x6_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_parameters, power) == 12, lyapunov_energy_tank_f32x6_parameters_power);
+typedef struct lyapunov_energy_tank_f32x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[5];
+} lyapunov_energy_tank_f32x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32x6) == 24, lyapunov_energy_tank_f32x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6, tag) == 0, lyapunov_energy_tank_f32x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6, kept) == 4, lyapunov_energy_tank_f32x6_kept);
+typedef struct lyapunov_energy_tank_f32x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_energy_tank_f32x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32x6_memory) == 4, lyapunov_energy_tank_f32x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_memory, word) == 0, lyapunov_energy_tank_f32x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_init_abi(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f32x6_init(storage, parameters) lyapunov_energy_tank_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_retune(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x6_save(const lyapunov_energy_tank_f32x6 *storage, lyapunov_energy_tank_f32x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_restore(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x6_pass(lyapunov_energy_tank_f32x6 *storage, float period, float dissipated, const lyapunov_f32x6 *wished, const lyapunov_f32x6 *flow, lyapunov_f32x6 *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_energy_tank_f32x6_energy(const lyapunov_energy_tank_f32x6 *storage);
+
+/* lyapunov_energy_tank_f64x6: Energy tank with a port (EnergyTank): filled by what your controller dissipates,
+   it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
+   samples. */
+typedef struct lyapunov_energy_tank_f64x6_parameters {
+    /* Energy at the start, J. */
+    double start;
+    /* The least energy, J. */
+    double floor;
+    /* The most energy, J; infinity: no limit. */
+    double ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    double power;
+} lyapunov_energy_tank_f64x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64x6_parameters) == 32, lyapunov_energy_tank_f64x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_parameters, start) == 0, lyapunov_energy_tank_f64x6_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_parameters, floor) == 8, lyapunov_energy_tank_f64x6_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_parameters, ceiling) == 16, lyapunov_energy_tank_f64x6_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_parameters, power) == 24, lyapunov_energy_tank_f64x6_parameters_power);
+typedef struct lyapunov_energy_tank_f64x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[5];
+} lyapunov_energy_tank_f64x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64x6) == 48, lyapunov_energy_tank_f64x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6, tag) == 0, lyapunov_energy_tank_f64x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6, kept) == 8, lyapunov_energy_tank_f64x6_kept);
+typedef struct lyapunov_energy_tank_f64x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_energy_tank_f64x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64x6_memory) == 8, lyapunov_energy_tank_f64x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_memory, word) == 0, lyapunov_energy_tank_f64x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_init_abi(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f64x6_init(storage, parameters) lyapunov_energy_tank_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_retune(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x6_save(const lyapunov_energy_tank_f64x6 *storage, lyapunov_energy_tank_f64x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_restore(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x6_pass(lyapunov_energy_tank_f64x6 *storage, double period, double dissipated, const lyapunov_f64x6 *wished, const lyapunov_f64x6 *flow, lyapunov_f64x6 *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_energy_tank_f64x6_energy(const lyapunov_energy_tank_f64x6 *storage);
+
+/* lyapunov_energy_tank_f32screw: Energy tank with a port (EnergyTank): filled by what your controller
+   dissipates, it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked,
+   and has no samples. */
+typedef struct lyapunov_energy_tank_f32screw_parameters {
+    /* Energy at the start, J. */
+    float start;
+    /* The least energy, J. */
+    float floor;
+    /* The most energy, J; infinity: no limit. */
+    float ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    float power;
+} lyapunov_energy_tank_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32screw_parameters) == 16, lyapunov_energy_tank_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_parameters, start) == 0, lyapunov_energy_tank_f32screw_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_parameters, floor) == 4, lyapunov_energy_tank_f32screw_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_parameters, ceiling) == 8, lyapunov_energy_tank_f32screw_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_parameters, power) == 12, lyapunov_energy_tank_f32screw_parameters_power);
+typedef struct lyapunov_energy_tank_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[5];
+} lyapunov_energy_tank_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32screw) == 24, lyapunov_energy_tank_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw, tag) == 0, lyapunov_energy_tank_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw, kept) == 4, lyapunov_energy_tank_f32screw_kept);
+typedef struct lyapunov_energy_tank_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_energy_tank_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f32screw_memory) == 4, lyapunov_energy_tank_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_memory, word) == 0, lyapunov_energy_tank_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_init_abi(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f32screw_init(storage, parameters) lyapunov_energy_tank_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_retune(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32screw_save(const lyapunov_energy_tank_f32screw *storage, lyapunov_energy_tank_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_restore(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f32screw_pass(lyapunov_energy_tank_f32screw *storage, float period, float dissipated, const lyapunov_f32screw *wished, const lyapunov_f32screw *flow, lyapunov_f32screw *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_energy_tank_f32screw_energy(const lyapunov_energy_tank_f32screw *storage);
+
+/* lyapunov_energy_tank_f64screw: Energy tank with a port (EnergyTank): filled by what your controller
+   dissipates, it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked,
+   and has no samples. */
+typedef struct lyapunov_energy_tank_f64screw_parameters {
+    /* Energy at the start, J. */
+    double start;
+    /* The least energy, J. */
+    double floor;
+    /* The most energy, J; infinity: no limit. */
+    double ceiling;
+    /* The most power that is drawn, W; infinity: no limit. */
+    double power;
+} lyapunov_energy_tank_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64screw_parameters) == 32, lyapunov_energy_tank_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_parameters, start) == 0, lyapunov_energy_tank_f64screw_parameters_start);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_parameters, floor) == 8, lyapunov_energy_tank_f64screw_parameters_floor);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_parameters, ceiling) == 16, lyapunov_energy_tank_f64screw_parameters_ceiling);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_parameters, power) == 24, lyapunov_energy_tank_f64screw_parameters_power);
+typedef struct lyapunov_energy_tank_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[5];
+} lyapunov_energy_tank_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64screw) == 48, lyapunov_energy_tank_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw, tag) == 0, lyapunov_energy_tank_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw, kept) == 8, lyapunov_energy_tank_f64screw_kept);
+typedef struct lyapunov_energy_tank_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_energy_tank_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_energy_tank_f64screw_memory) == 8, lyapunov_energy_tank_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_memory, word) == 0, lyapunov_energy_tank_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_init_abi(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_energy_tank_f64screw_init(storage, parameters) lyapunov_energy_tank_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_retune(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64screw_save(const lyapunov_energy_tank_f64screw *storage, lyapunov_energy_tank_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_restore(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_memory *memory);
+/* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
+   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+LYAPUNOV_API uint32_t lyapunov_energy_tank_f64screw_pass(lyapunov_energy_tank_f64screw *storage, double period, double dissipated, const lyapunov_f64screw *wished, const lyapunov_f64screw *flow, lyapunov_f64screw *passed);
+/* The energy in it, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_energy_tank_f64screw_energy(const lyapunov_energy_tank_f64screw *storage);
+
 /* lyapunov_energy_bounding_f32: Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 typedef struct lyapunov_energy_bounding_f32_parameters {
     /* Damping that the device surely has, N.s/m. */
@@ -13362,6 +14084,974 @@ LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64screw_owe(lyapunov_two_layer_
 LYAPUNOV_API double lyapunov_two_layer_f64screw_sent(const lyapunov_two_layer_f64screw *storage);
 /* What the other side said it sent, J. Packets may come late, twice or not at all. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64screw_receive(lyapunov_two_layer_f64screw *storage, double energy);
+
+/* lyapunov_wave_transform_f32: Wave transformation (WaveTransform): waves of a flow and an effort, and the
+   other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f32_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+} lyapunov_wave_transform_f32_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32_parameters) == 4, lyapunov_wave_transform_f32_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32_parameters, impedance) == 0, lyapunov_wave_transform_f32_parameters_impedance);
+typedef struct lyapunov_wave_transform_f32 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[2];
+} lyapunov_wave_transform_f32;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32) == 12, lyapunov_wave_transform_f32_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32, tag) == 0, lyapunov_wave_transform_f32_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32, kept) == 4, lyapunov_wave_transform_f32_kept);
+typedef struct lyapunov_wave_transform_f32_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_transform_f32_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32_memory) == 0, lyapunov_wave_transform_f32_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32_memory, word) == 0, lyapunov_wave_transform_f32_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_init_abi(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f32_init(storage, parameters) lyapunov_wave_transform_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_retune(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_save(const lyapunov_wave_transform_f32 *storage, lyapunov_wave_transform_f32_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_restore(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_encode(lyapunov_wave_transform_f32 *storage, float flow, float effort, lyapunov_wave_f32 *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_decode(lyapunov_wave_transform_f32 *storage, float there, float back, lyapunov_wave_f32 *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_effort(lyapunov_wave_transform_f32 *storage, float flow, float back, lyapunov_wave_f32 *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_flow(lyapunov_wave_transform_f32 *storage, float effort, float there, lyapunov_wave_f32 *wave);
+
+/* lyapunov_wave_transform_f64: Wave transformation (WaveTransform): waves of a flow and an effort, and the
+   other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f64_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+} lyapunov_wave_transform_f64_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64_parameters) == 8, lyapunov_wave_transform_f64_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64_parameters, impedance) == 0, lyapunov_wave_transform_f64_parameters_impedance);
+typedef struct lyapunov_wave_transform_f64 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[2];
+} lyapunov_wave_transform_f64;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64) == 24, lyapunov_wave_transform_f64_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64, tag) == 0, lyapunov_wave_transform_f64_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64, kept) == 8, lyapunov_wave_transform_f64_kept);
+typedef struct lyapunov_wave_transform_f64_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_transform_f64_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64_memory) == 0, lyapunov_wave_transform_f64_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64_memory, word) == 0, lyapunov_wave_transform_f64_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_init_abi(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f64_init(storage, parameters) lyapunov_wave_transform_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_retune(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_save(const lyapunov_wave_transform_f64 *storage, lyapunov_wave_transform_f64_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_restore(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_encode(lyapunov_wave_transform_f64 *storage, double flow, double effort, lyapunov_wave_f64 *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_decode(lyapunov_wave_transform_f64 *storage, double there, double back, lyapunov_wave_f64 *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_effort(lyapunov_wave_transform_f64 *storage, double flow, double back, lyapunov_wave_f64 *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_flow(lyapunov_wave_transform_f64 *storage, double effort, double there, lyapunov_wave_f64 *wave);
+
+/* lyapunov_wave_transform_f32x3: Wave transformation (WaveTransform): waves of a flow and an effort, and the
+   other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f32x3_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+} lyapunov_wave_transform_f32x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x3_parameters) == 4, lyapunov_wave_transform_f32x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3_parameters, impedance) == 0, lyapunov_wave_transform_f32x3_parameters_impedance);
+typedef struct lyapunov_wave_transform_f32x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[2];
+} lyapunov_wave_transform_f32x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x3) == 12, lyapunov_wave_transform_f32x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3, tag) == 0, lyapunov_wave_transform_f32x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3, kept) == 4, lyapunov_wave_transform_f32x3_kept);
+typedef struct lyapunov_wave_transform_f32x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_transform_f32x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x3_memory) == 0, lyapunov_wave_transform_f32x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3_memory, word) == 0, lyapunov_wave_transform_f32x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_init_abi(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f32x3_init(storage, parameters) lyapunov_wave_transform_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_retune(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_save(const lyapunov_wave_transform_f32x3 *storage, lyapunov_wave_transform_f32x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_restore(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_encode(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *flow, const lyapunov_f32x3 *effort, lyapunov_wave_f32x3 *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_decode(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *there, const lyapunov_f32x3 *back, lyapunov_wave_f32x3 *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_effort(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *flow, const lyapunov_f32x3 *back, lyapunov_wave_f32x3 *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_flow(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *effort, const lyapunov_f32x3 *there, lyapunov_wave_f32x3 *wave);
+
+/* lyapunov_wave_transform_f64x3: Wave transformation (WaveTransform): waves of a flow and an effort, and the
+   other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f64x3_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+} lyapunov_wave_transform_f64x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x3_parameters) == 8, lyapunov_wave_transform_f64x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3_parameters, impedance) == 0, lyapunov_wave_transform_f64x3_parameters_impedance);
+typedef struct lyapunov_wave_transform_f64x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[2];
+} lyapunov_wave_transform_f64x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x3) == 24, lyapunov_wave_transform_f64x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3, tag) == 0, lyapunov_wave_transform_f64x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3, kept) == 8, lyapunov_wave_transform_f64x3_kept);
+typedef struct lyapunov_wave_transform_f64x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_transform_f64x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x3_memory) == 0, lyapunov_wave_transform_f64x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3_memory, word) == 0, lyapunov_wave_transform_f64x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_init_abi(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f64x3_init(storage, parameters) lyapunov_wave_transform_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_retune(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_save(const lyapunov_wave_transform_f64x3 *storage, lyapunov_wave_transform_f64x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_restore(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_encode(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *flow, const lyapunov_f64x3 *effort, lyapunov_wave_f64x3 *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_decode(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *there, const lyapunov_f64x3 *back, lyapunov_wave_f64x3 *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_effort(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *flow, const lyapunov_f64x3 *back, lyapunov_wave_f64x3 *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_flow(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *effort, const lyapunov_f64x3 *there, lyapunov_wave_f64x3 *wave);
+
+/* lyapunov_wave_transform_f32x6: Wave transformation (WaveTransform): waves of a flow and an effort, and the
+   other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f32x6_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+} lyapunov_wave_transform_f32x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x6_parameters) == 4, lyapunov_wave_transform_f32x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6_parameters, impedance) == 0, lyapunov_wave_transform_f32x6_parameters_impedance);
+typedef struct lyapunov_wave_transform_f32x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[2];
+} lyapunov_wave_transform_f32x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x6) == 12, lyapunov_wave_transform_f32x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6, tag) == 0, lyapunov_wave_transform_f32x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6, kept) == 4, lyapunov_wave_transform_f32x6_kept);
+typedef struct lyapunov_wave_transform_f32x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_transform_f32x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x6_memory) == 0, lyapunov_wave_transform_f32x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6_memory, word) == 0, lyapunov_wave_transform_f32x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_init_abi(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f32x6_init(storage, parameters) lyapunov_wave_transform_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_retune(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_save(const lyapunov_wave_transform_f32x6 *storage, lyapunov_wave_transform_f32x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_restore(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_encode(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *flow, const lyapunov_f32x6 *effort, lyapunov_wave_f32x6 *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_decode(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *there, const lyapunov_f32x6 *back, lyapunov_wave_f32x6 *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_effort(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *flow, const lyapunov_f32x6 *back, lyapunov_wave_f32x6 *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_flow(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *effort, const lyapunov_f32x6 *there, lyapunov_wave_f32x6 *wave);
+
+/* lyapunov_wave_transform_f64x6: Wave transformation (WaveTransform): waves of a flow and an effort, and the
+   other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f64x6_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+} lyapunov_wave_transform_f64x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x6_parameters) == 8, lyapunov_wave_transform_f64x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6_parameters, impedance) == 0, lyapunov_wave_transform_f64x6_parameters_impedance);
+typedef struct lyapunov_wave_transform_f64x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[2];
+} lyapunov_wave_transform_f64x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x6) == 24, lyapunov_wave_transform_f64x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6, tag) == 0, lyapunov_wave_transform_f64x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6, kept) == 8, lyapunov_wave_transform_f64x6_kept);
+typedef struct lyapunov_wave_transform_f64x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_transform_f64x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x6_memory) == 0, lyapunov_wave_transform_f64x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6_memory, word) == 0, lyapunov_wave_transform_f64x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_init_abi(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f64x6_init(storage, parameters) lyapunov_wave_transform_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_retune(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_save(const lyapunov_wave_transform_f64x6 *storage, lyapunov_wave_transform_f64x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_restore(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_encode(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *flow, const lyapunov_f64x6 *effort, lyapunov_wave_f64x6 *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_decode(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *there, const lyapunov_f64x6 *back, lyapunov_wave_f64x6 *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_effort(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *flow, const lyapunov_f64x6 *back, lyapunov_wave_f64x6 *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_flow(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *effort, const lyapunov_f64x6 *there, lyapunov_wave_f64x6 *wave);
+
+/* lyapunov_wave_transform_f32screw: Wave transformation (WaveTransform): waves of a flow and an effort, and
+   the other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f32screw_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+} lyapunov_wave_transform_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32screw_parameters) == 4, lyapunov_wave_transform_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw_parameters, impedance) == 0, lyapunov_wave_transform_f32screw_parameters_impedance);
+typedef struct lyapunov_wave_transform_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[2];
+} lyapunov_wave_transform_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32screw) == 12, lyapunov_wave_transform_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw, tag) == 0, lyapunov_wave_transform_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw, kept) == 4, lyapunov_wave_transform_f32screw_kept);
+typedef struct lyapunov_wave_transform_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_transform_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32screw_memory) == 0, lyapunov_wave_transform_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw_memory, word) == 0, lyapunov_wave_transform_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_init_abi(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f32screw_init(storage, parameters) lyapunov_wave_transform_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_retune(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_save(const lyapunov_wave_transform_f32screw *storage, lyapunov_wave_transform_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_restore(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_encode(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *flow, const lyapunov_f32screw *effort, lyapunov_wave_f32screw *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_decode(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *there, const lyapunov_f32screw *back, lyapunov_wave_f32screw *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_effort(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *flow, const lyapunov_f32screw *back, lyapunov_wave_f32screw *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_flow(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *effort, const lyapunov_f32screw *there, lyapunov_wave_f32screw *wave);
+
+/* lyapunov_wave_transform_f64screw: Wave transformation (WaveTransform): waves of a flow and an effort, and
+   the other way round. It has no memory, and what is not finite comes out so. */
+typedef struct lyapunov_wave_transform_f64screw_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+} lyapunov_wave_transform_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64screw_parameters) == 8, lyapunov_wave_transform_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw_parameters, impedance) == 0, lyapunov_wave_transform_f64screw_parameters_impedance);
+typedef struct lyapunov_wave_transform_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[2];
+} lyapunov_wave_transform_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64screw) == 24, lyapunov_wave_transform_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw, tag) == 0, lyapunov_wave_transform_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw, kept) == 8, lyapunov_wave_transform_f64screw_kept);
+typedef struct lyapunov_wave_transform_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_transform_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64screw_memory) == 0, lyapunov_wave_transform_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw_memory, word) == 0, lyapunov_wave_transform_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_init_abi(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_transform_f64screw_init(storage, parameters) lyapunov_wave_transform_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_retune(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_save(const lyapunov_wave_transform_f64screw *storage, lyapunov_wave_transform_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_restore(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_memory *memory);
+/* The waves of a flow and an effort. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_encode(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *flow, const lyapunov_f64screw *effort, lyapunov_wave_f64screw *wave);
+/* The flow and the effort of the waves there and back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_decode(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *there, const lyapunov_f64screw *back, lyapunov_wave_f64screw *wave);
+/* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_effort(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *flow, const lyapunov_f64screw *back, lyapunov_wave_f64screw *wave);
+/* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_flow(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *effort, const lyapunov_f64screw *there, lyapunov_wave_f64screw *wave);
+
+/* lyapunov_wave_filter_f32: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f32_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    float share;
+} lyapunov_wave_filter_f32_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32_parameters) == 4, lyapunov_wave_filter_f32_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32_parameters, share) == 0, lyapunov_wave_filter_f32_parameters_share);
+typedef struct lyapunov_wave_filter_f32 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[2];
+} lyapunov_wave_filter_f32;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32) == 12, lyapunov_wave_filter_f32_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32, tag) == 0, lyapunov_wave_filter_f32_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32, kept) == 4, lyapunov_wave_filter_f32_kept);
+typedef struct lyapunov_wave_filter_f32_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_wave_filter_f32_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32_memory) == 4, lyapunov_wave_filter_f32_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32_memory, word) == 0, lyapunov_wave_filter_f32_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32_init_abi(lyapunov_wave_filter_f32 *storage, const lyapunov_wave_filter_f32_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f32_init(storage, parameters) lyapunov_wave_filter_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32_retune(lyapunov_wave_filter_f32 *storage, const lyapunov_wave_filter_f32_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32_save(const lyapunov_wave_filter_f32 *storage, lyapunov_wave_filter_f32_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32_restore(lyapunov_wave_filter_f32 *storage, const lyapunov_wave_filter_f32_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32_pass(lyapunov_wave_filter_f32 *storage, float wave, float *sent);
+
+/* lyapunov_wave_filter_f64: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f64_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    double share;
+} lyapunov_wave_filter_f64_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64_parameters) == 8, lyapunov_wave_filter_f64_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64_parameters, share) == 0, lyapunov_wave_filter_f64_parameters_share);
+typedef struct lyapunov_wave_filter_f64 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[2];
+} lyapunov_wave_filter_f64;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64) == 24, lyapunov_wave_filter_f64_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64, tag) == 0, lyapunov_wave_filter_f64_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64, kept) == 8, lyapunov_wave_filter_f64_kept);
+typedef struct lyapunov_wave_filter_f64_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_wave_filter_f64_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64_memory) == 8, lyapunov_wave_filter_f64_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64_memory, word) == 0, lyapunov_wave_filter_f64_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64_init_abi(lyapunov_wave_filter_f64 *storage, const lyapunov_wave_filter_f64_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f64_init(storage, parameters) lyapunov_wave_filter_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64_retune(lyapunov_wave_filter_f64 *storage, const lyapunov_wave_filter_f64_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64_save(const lyapunov_wave_filter_f64 *storage, lyapunov_wave_filter_f64_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64_restore(lyapunov_wave_filter_f64 *storage, const lyapunov_wave_filter_f64_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64_pass(lyapunov_wave_filter_f64 *storage, double wave, double *sent);
+
+/* lyapunov_wave_filter_f32x3: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f32x3_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    float share;
+} lyapunov_wave_filter_f32x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x3_parameters) == 4, lyapunov_wave_filter_f32x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x3_parameters, share) == 0, lyapunov_wave_filter_f32x3_parameters_share);
+typedef struct lyapunov_wave_filter_f32x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[4];
+} lyapunov_wave_filter_f32x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x3) == 20, lyapunov_wave_filter_f32x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x3, tag) == 0, lyapunov_wave_filter_f32x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x3, kept) == 4, lyapunov_wave_filter_f32x3_kept);
+typedef struct lyapunov_wave_filter_f32x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[3];
+} lyapunov_wave_filter_f32x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x3_memory) == 12, lyapunov_wave_filter_f32x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x3_memory, word) == 0, lyapunov_wave_filter_f32x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x3_init_abi(lyapunov_wave_filter_f32x3 *storage, const lyapunov_wave_filter_f32x3_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f32x3_init(storage, parameters) lyapunov_wave_filter_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x3_retune(lyapunov_wave_filter_f32x3 *storage, const lyapunov_wave_filter_f32x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x3_save(const lyapunov_wave_filter_f32x3 *storage, lyapunov_wave_filter_f32x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x3_restore(lyapunov_wave_filter_f32x3 *storage, const lyapunov_wave_filter_f32x3_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x3_pass(lyapunov_wave_filter_f32x3 *storage, const lyapunov_f32x3 *wave, lyapunov_f32x3 *sent);
+
+/* lyapunov_wave_filter_f64x3: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f64x3_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    double share;
+} lyapunov_wave_filter_f64x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x3_parameters) == 8, lyapunov_wave_filter_f64x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x3_parameters, share) == 0, lyapunov_wave_filter_f64x3_parameters_share);
+typedef struct lyapunov_wave_filter_f64x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[4];
+} lyapunov_wave_filter_f64x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x3) == 40, lyapunov_wave_filter_f64x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x3, tag) == 0, lyapunov_wave_filter_f64x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x3, kept) == 8, lyapunov_wave_filter_f64x3_kept);
+typedef struct lyapunov_wave_filter_f64x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[3];
+} lyapunov_wave_filter_f64x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x3_memory) == 24, lyapunov_wave_filter_f64x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x3_memory, word) == 0, lyapunov_wave_filter_f64x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x3_init_abi(lyapunov_wave_filter_f64x3 *storage, const lyapunov_wave_filter_f64x3_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f64x3_init(storage, parameters) lyapunov_wave_filter_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x3_retune(lyapunov_wave_filter_f64x3 *storage, const lyapunov_wave_filter_f64x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x3_save(const lyapunov_wave_filter_f64x3 *storage, lyapunov_wave_filter_f64x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x3_restore(lyapunov_wave_filter_f64x3 *storage, const lyapunov_wave_filter_f64x3_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x3_pass(lyapunov_wave_filter_f64x3 *storage, const lyapunov_f64x3 *wave, lyapunov_f64x3 *sent);
+
+/* lyapunov_wave_filter_f32x6: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f32x6_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    float share;
+} lyapunov_wave_filter_f32x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x6_parameters) == 4, lyapunov_wave_filter_f32x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x6_parameters, share) == 0, lyapunov_wave_filter_f32x6_parameters_share);
+typedef struct lyapunov_wave_filter_f32x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[7];
+} lyapunov_wave_filter_f32x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x6) == 32, lyapunov_wave_filter_f32x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x6, tag) == 0, lyapunov_wave_filter_f32x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x6, kept) == 4, lyapunov_wave_filter_f32x6_kept);
+typedef struct lyapunov_wave_filter_f32x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[6];
+} lyapunov_wave_filter_f32x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x6_memory) == 24, lyapunov_wave_filter_f32x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x6_memory, word) == 0, lyapunov_wave_filter_f32x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x6_init_abi(lyapunov_wave_filter_f32x6 *storage, const lyapunov_wave_filter_f32x6_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f32x6_init(storage, parameters) lyapunov_wave_filter_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x6_retune(lyapunov_wave_filter_f32x6 *storage, const lyapunov_wave_filter_f32x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x6_save(const lyapunov_wave_filter_f32x6 *storage, lyapunov_wave_filter_f32x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x6_restore(lyapunov_wave_filter_f32x6 *storage, const lyapunov_wave_filter_f32x6_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x6_pass(lyapunov_wave_filter_f32x6 *storage, const lyapunov_f32x6 *wave, lyapunov_f32x6 *sent);
+
+/* lyapunov_wave_filter_f64x6: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f64x6_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    double share;
+} lyapunov_wave_filter_f64x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x6_parameters) == 8, lyapunov_wave_filter_f64x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x6_parameters, share) == 0, lyapunov_wave_filter_f64x6_parameters_share);
+typedef struct lyapunov_wave_filter_f64x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[7];
+} lyapunov_wave_filter_f64x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x6) == 64, lyapunov_wave_filter_f64x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x6, tag) == 0, lyapunov_wave_filter_f64x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x6, kept) == 8, lyapunov_wave_filter_f64x6_kept);
+typedef struct lyapunov_wave_filter_f64x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[6];
+} lyapunov_wave_filter_f64x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x6_memory) == 48, lyapunov_wave_filter_f64x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x6_memory, word) == 0, lyapunov_wave_filter_f64x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x6_init_abi(lyapunov_wave_filter_f64x6 *storage, const lyapunov_wave_filter_f64x6_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f64x6_init(storage, parameters) lyapunov_wave_filter_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x6_retune(lyapunov_wave_filter_f64x6 *storage, const lyapunov_wave_filter_f64x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x6_save(const lyapunov_wave_filter_f64x6 *storage, lyapunov_wave_filter_f64x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x6_restore(lyapunov_wave_filter_f64x6 *storage, const lyapunov_wave_filter_f64x6_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x6_pass(lyapunov_wave_filter_f64x6 *storage, const lyapunov_f64x6 *wave, lyapunov_f64x6 *sent);
+
+/* lyapunov_wave_filter_f32screw: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f32screw_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    float share;
+} lyapunov_wave_filter_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32screw_parameters) == 4, lyapunov_wave_filter_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32screw_parameters, share) == 0, lyapunov_wave_filter_f32screw_parameters_share);
+typedef struct lyapunov_wave_filter_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[7];
+} lyapunov_wave_filter_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32screw) == 32, lyapunov_wave_filter_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32screw, tag) == 0, lyapunov_wave_filter_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32screw, kept) == 4, lyapunov_wave_filter_f32screw_kept);
+typedef struct lyapunov_wave_filter_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[6];
+} lyapunov_wave_filter_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32screw_memory) == 24, lyapunov_wave_filter_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32screw_memory, word) == 0, lyapunov_wave_filter_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32screw_init_abi(lyapunov_wave_filter_f32screw *storage, const lyapunov_wave_filter_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f32screw_init(storage, parameters) lyapunov_wave_filter_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32screw_retune(lyapunov_wave_filter_f32screw *storage, const lyapunov_wave_filter_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32screw_save(const lyapunov_wave_filter_f32screw *storage, lyapunov_wave_filter_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32screw_restore(lyapunov_wave_filter_f32screw *storage, const lyapunov_wave_filter_f32screw_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f32screw_pass(lyapunov_wave_filter_f32screw *storage, const lyapunov_f32screw *wave, lyapunov_f32screw *sent);
+
+/* lyapunov_wave_filter_f64screw: Low pass in the path of a wave (WaveFilter). */
+typedef struct lyapunov_wave_filter_f64screw_parameters {
+    /* The share of a change that is taken over on each tick, above 0 and at most 1. */
+    double share;
+} lyapunov_wave_filter_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64screw_parameters) == 8, lyapunov_wave_filter_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64screw_parameters, share) == 0, lyapunov_wave_filter_f64screw_parameters_share);
+typedef struct lyapunov_wave_filter_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[7];
+} lyapunov_wave_filter_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64screw) == 64, lyapunov_wave_filter_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64screw, tag) == 0, lyapunov_wave_filter_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64screw, kept) == 8, lyapunov_wave_filter_f64screw_kept);
+typedef struct lyapunov_wave_filter_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[6];
+} lyapunov_wave_filter_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64screw_memory) == 48, lyapunov_wave_filter_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64screw_memory, word) == 0, lyapunov_wave_filter_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64screw_init_abi(lyapunov_wave_filter_f64screw *storage, const lyapunov_wave_filter_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_filter_f64screw_init(storage, parameters) lyapunov_wave_filter_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64screw_retune(lyapunov_wave_filter_f64screw *storage, const lyapunov_wave_filter_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64screw_save(const lyapunov_wave_filter_f64screw *storage, lyapunov_wave_filter_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64screw_restore(lyapunov_wave_filter_f64screw *storage, const lyapunov_wave_filter_f64screw_memory *memory);
+/* The wave to send for `wave`. One that is not finite is passed over. */
+LYAPUNOV_API uint32_t lyapunov_wave_filter_f64screw_pass(lyapunov_wave_filter_f64screw *storage, const lyapunov_f64screw *wave, lyapunov_f64screw *sent);
+
+/* lyapunov_wave_follower_f32: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
+   flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f32_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+    /* The spring, N/m. */
+    float stiffness;
+    /* The damper, N.s/m. */
+    float damping;
+} lyapunov_wave_follower_f32_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32_parameters) == 12, lyapunov_wave_follower_f32_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_parameters, impedance) == 0, lyapunov_wave_follower_f32_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_parameters, stiffness) == 4, lyapunov_wave_follower_f32_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_parameters, damping) == 8, lyapunov_wave_follower_f32_parameters_damping);
+typedef struct lyapunov_wave_follower_f32 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[4];
+} lyapunov_wave_follower_f32;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32) == 20, lyapunov_wave_follower_f32_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32, tag) == 0, lyapunov_wave_follower_f32_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32, kept) == 4, lyapunov_wave_follower_f32_kept);
+typedef struct lyapunov_wave_follower_f32_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_follower_f32_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32_memory) == 0, lyapunov_wave_follower_f32_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_memory, word) == 0, lyapunov_wave_follower_f32_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_init_abi(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f32_init(storage, parameters) lyapunov_wave_follower_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_retune(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32_save(const lyapunov_wave_follower_f32 *storage, lyapunov_wave_follower_f32_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_restore(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32_follow(lyapunov_wave_follower_f32 *storage, float there, float error, float velocity, lyapunov_wave_f32 *wave);
+
+/* lyapunov_wave_follower_f64: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
+   flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f64_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+    /* The spring, N/m. */
+    double stiffness;
+    /* The damper, N.s/m. */
+    double damping;
+} lyapunov_wave_follower_f64_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64_parameters) == 24, lyapunov_wave_follower_f64_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_parameters, impedance) == 0, lyapunov_wave_follower_f64_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_parameters, stiffness) == 8, lyapunov_wave_follower_f64_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_parameters, damping) == 16, lyapunov_wave_follower_f64_parameters_damping);
+typedef struct lyapunov_wave_follower_f64 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[4];
+} lyapunov_wave_follower_f64;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64) == 40, lyapunov_wave_follower_f64_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64, tag) == 0, lyapunov_wave_follower_f64_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64, kept) == 8, lyapunov_wave_follower_f64_kept);
+typedef struct lyapunov_wave_follower_f64_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_follower_f64_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64_memory) == 0, lyapunov_wave_follower_f64_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_memory, word) == 0, lyapunov_wave_follower_f64_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_init_abi(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f64_init(storage, parameters) lyapunov_wave_follower_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_retune(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64_save(const lyapunov_wave_follower_f64 *storage, lyapunov_wave_follower_f64_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_restore(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64_follow(lyapunov_wave_follower_f64 *storage, double there, double error, double velocity, lyapunov_wave_f64 *wave);
+
+/* lyapunov_wave_follower_f32x3: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
+   flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f32x3_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+    /* The spring, N/m. */
+    float stiffness;
+    /* The damper, N.s/m. */
+    float damping;
+} lyapunov_wave_follower_f32x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x3_parameters) == 12, lyapunov_wave_follower_f32x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_parameters, impedance) == 0, lyapunov_wave_follower_f32x3_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_parameters, stiffness) == 4, lyapunov_wave_follower_f32x3_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_parameters, damping) == 8, lyapunov_wave_follower_f32x3_parameters_damping);
+typedef struct lyapunov_wave_follower_f32x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[4];
+} lyapunov_wave_follower_f32x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x3) == 20, lyapunov_wave_follower_f32x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3, tag) == 0, lyapunov_wave_follower_f32x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3, kept) == 4, lyapunov_wave_follower_f32x3_kept);
+typedef struct lyapunov_wave_follower_f32x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_follower_f32x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x3_memory) == 0, lyapunov_wave_follower_f32x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_memory, word) == 0, lyapunov_wave_follower_f32x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_init_abi(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f32x3_init(storage, parameters) lyapunov_wave_follower_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_retune(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x3_save(const lyapunov_wave_follower_f32x3 *storage, lyapunov_wave_follower_f32x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_restore(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x3_follow(lyapunov_wave_follower_f32x3 *storage, const lyapunov_f32x3 *there, const lyapunov_f32x3 *error, const lyapunov_f32x3 *velocity, lyapunov_wave_f32x3 *wave);
+
+/* lyapunov_wave_follower_f64x3: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
+   flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f64x3_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+    /* The spring, N/m. */
+    double stiffness;
+    /* The damper, N.s/m. */
+    double damping;
+} lyapunov_wave_follower_f64x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x3_parameters) == 24, lyapunov_wave_follower_f64x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_parameters, impedance) == 0, lyapunov_wave_follower_f64x3_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_parameters, stiffness) == 8, lyapunov_wave_follower_f64x3_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_parameters, damping) == 16, lyapunov_wave_follower_f64x3_parameters_damping);
+typedef struct lyapunov_wave_follower_f64x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[4];
+} lyapunov_wave_follower_f64x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x3) == 40, lyapunov_wave_follower_f64x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3, tag) == 0, lyapunov_wave_follower_f64x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3, kept) == 8, lyapunov_wave_follower_f64x3_kept);
+typedef struct lyapunov_wave_follower_f64x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_follower_f64x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x3_memory) == 0, lyapunov_wave_follower_f64x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_memory, word) == 0, lyapunov_wave_follower_f64x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_init_abi(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f64x3_init(storage, parameters) lyapunov_wave_follower_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_retune(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x3_save(const lyapunov_wave_follower_f64x3 *storage, lyapunov_wave_follower_f64x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_restore(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x3_follow(lyapunov_wave_follower_f64x3 *storage, const lyapunov_f64x3 *there, const lyapunov_f64x3 *error, const lyapunov_f64x3 *velocity, lyapunov_wave_f64x3 *wave);
+
+/* lyapunov_wave_follower_f32x6: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
+   flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f32x6_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+    /* The spring, N/m. */
+    float stiffness;
+    /* The damper, N.s/m. */
+    float damping;
+} lyapunov_wave_follower_f32x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x6_parameters) == 12, lyapunov_wave_follower_f32x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_parameters, impedance) == 0, lyapunov_wave_follower_f32x6_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_parameters, stiffness) == 4, lyapunov_wave_follower_f32x6_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_parameters, damping) == 8, lyapunov_wave_follower_f32x6_parameters_damping);
+typedef struct lyapunov_wave_follower_f32x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[4];
+} lyapunov_wave_follower_f32x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x6) == 20, lyapunov_wave_follower_f32x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6, tag) == 0, lyapunov_wave_follower_f32x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6, kept) == 4, lyapunov_wave_follower_f32x6_kept);
+typedef struct lyapunov_wave_follower_f32x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_follower_f32x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x6_memory) == 0, lyapunov_wave_follower_f32x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_memory, word) == 0, lyapunov_wave_follower_f32x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_init_abi(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f32x6_init(storage, parameters) lyapunov_wave_follower_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_retune(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x6_save(const lyapunov_wave_follower_f32x6 *storage, lyapunov_wave_follower_f32x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_restore(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x6_follow(lyapunov_wave_follower_f32x6 *storage, const lyapunov_f32x6 *there, const lyapunov_f32x6 *error, const lyapunov_f32x6 *velocity, lyapunov_wave_f32x6 *wave);
+
+/* lyapunov_wave_follower_f64x6: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
+   flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f64x6_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+    /* The spring, N/m. */
+    double stiffness;
+    /* The damper, N.s/m. */
+    double damping;
+} lyapunov_wave_follower_f64x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x6_parameters) == 24, lyapunov_wave_follower_f64x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_parameters, impedance) == 0, lyapunov_wave_follower_f64x6_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_parameters, stiffness) == 8, lyapunov_wave_follower_f64x6_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_parameters, damping) == 16, lyapunov_wave_follower_f64x6_parameters_damping);
+typedef struct lyapunov_wave_follower_f64x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[4];
+} lyapunov_wave_follower_f64x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x6) == 40, lyapunov_wave_follower_f64x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6, tag) == 0, lyapunov_wave_follower_f64x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6, kept) == 8, lyapunov_wave_follower_f64x6_kept);
+typedef struct lyapunov_wave_follower_f64x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_follower_f64x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x6_memory) == 0, lyapunov_wave_follower_f64x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_memory, word) == 0, lyapunov_wave_follower_f64x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_init_abi(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f64x6_init(storage, parameters) lyapunov_wave_follower_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_retune(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x6_save(const lyapunov_wave_follower_f64x6 *storage, lyapunov_wave_follower_f64x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_restore(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x6_follow(lyapunov_wave_follower_f64x6 *storage, const lyapunov_f64x6 *there, const lyapunov_f64x6 *error, const lyapunov_f64x6 *velocity, lyapunov_wave_f64x6 *wave);
+
+/* lyapunov_wave_follower_f32screw: Slave behind a wave (WaveFollower): a spring and a damper that solve for
+   the flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f32screw_parameters {
+    /* The wave impedance, N.s/m. */
+    float impedance;
+    /* The spring, N/m. */
+    float stiffness;
+    /* The damper, N.s/m. */
+    float damping;
+} lyapunov_wave_follower_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32screw_parameters) == 12, lyapunov_wave_follower_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_parameters, impedance) == 0, lyapunov_wave_follower_f32screw_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_parameters, stiffness) == 4, lyapunov_wave_follower_f32screw_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_parameters, damping) == 8, lyapunov_wave_follower_f32screw_parameters_damping);
+typedef struct lyapunov_wave_follower_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[4];
+} lyapunov_wave_follower_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32screw) == 20, lyapunov_wave_follower_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw, tag) == 0, lyapunov_wave_follower_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw, kept) == 4, lyapunov_wave_follower_f32screw_kept);
+typedef struct lyapunov_wave_follower_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[0];
+} lyapunov_wave_follower_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32screw_memory) == 0, lyapunov_wave_follower_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_memory, word) == 0, lyapunov_wave_follower_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_init_abi(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f32screw_init(storage, parameters) lyapunov_wave_follower_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_retune(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32screw_save(const lyapunov_wave_follower_f32screw *storage, lyapunov_wave_follower_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_restore(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32screw_follow(lyapunov_wave_follower_f32screw *storage, const lyapunov_f32screw *there, const lyapunov_f32screw *error, const lyapunov_f32screw *velocity, lyapunov_wave_f32screw *wave);
+
+/* lyapunov_wave_follower_f64screw: Slave behind a wave (WaveFollower): a spring and a damper that solve for
+   the flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
+   memory. */
+typedef struct lyapunov_wave_follower_f64screw_parameters {
+    /* The wave impedance, N.s/m. */
+    double impedance;
+    /* The spring, N/m. */
+    double stiffness;
+    /* The damper, N.s/m. */
+    double damping;
+} lyapunov_wave_follower_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64screw_parameters) == 24, lyapunov_wave_follower_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_parameters, impedance) == 0, lyapunov_wave_follower_f64screw_parameters_impedance);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_parameters, stiffness) == 8, lyapunov_wave_follower_f64screw_parameters_stiffness);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_parameters, damping) == 16, lyapunov_wave_follower_f64screw_parameters_damping);
+typedef struct lyapunov_wave_follower_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[4];
+} lyapunov_wave_follower_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64screw) == 40, lyapunov_wave_follower_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw, tag) == 0, lyapunov_wave_follower_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw, kept) == 8, lyapunov_wave_follower_f64screw_kept);
+typedef struct lyapunov_wave_follower_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[0];
+} lyapunov_wave_follower_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64screw_memory) == 0, lyapunov_wave_follower_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_memory, word) == 0, lyapunov_wave_follower_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_init_abi(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_wave_follower_f64screw_init(storage, parameters) lyapunov_wave_follower_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_retune(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64screw_save(const lyapunov_wave_follower_f64screw *storage, lyapunov_wave_follower_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_restore(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_memory *memory);
+/* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
+   the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64screw_follow(lyapunov_wave_follower_f64screw *storage, const lyapunov_f64screw *there, const lyapunov_f64screw *error, const lyapunov_f64screw *velocity, lyapunov_wave_f64screw *wave);
 
 /* lyapunov_observer_f32: Observer alone (Observer): sums the port's energy and what the device's own damper
    burns, and changes no effort. */

@@ -30,6 +30,9 @@ template <> struct axes_of<double, 6> { using type = lyapunov_f64x6; };
 template <class T> struct screw_of;
 template <> struct screw_of<float> { using type = lyapunov_f32screw; };
 template <> struct screw_of<double> { using type = lyapunov_f64screw; };
+template <class T> struct pose_of;
+template <> struct pose_of<float> { using type = lyapunov_f32pose; };
+template <> struct pose_of<double> { using type = lyapunov_f64pose; };
 
 } // namespace detail
 
@@ -38,6 +41,9 @@ template <class T, std::size_t N> using Axes = typename detail::axes_of<T, N>::t
 
 // Twist or wrench: translation, rotation.
 template <class T> using Screw = typename detail::screw_of<T>::type;
+
+// Position, and orientation as the quaternion x, y, z, w: the order of Eigen's coeffs().
+template <class T> using Pose = typename detail::pose_of<T>::type;
 
 // What became of a call.
 enum class Code : lyapunov_code {
@@ -1172,6 +1178,108 @@ public:
     friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
     lyapunov_readings_measured_clocked_f64x6 storage{};
+};
+
+/* Readings of poses at a fixed period (Readings::of_poses), with twists by differences. The position of a sample is the sum of the displacements from one accepted pose to the next. A pose that is not finite, or whose quaternion is 0, is rejected. */
+template <class Signal> class ReadingsOfPoses;
+
+template <> class ReadingsOfPoses<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_f32screw_parameters;
+    using Memory = lyapunov_readings_of_poses_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_f32screw_memory memory{}; lyapunov_readings_of_poses_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f32screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_f32screw storage{};
+};
+
+template <> class ReadingsOfPoses<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_f64screw_parameters;
+    using Memory = lyapunov_readings_of_poses_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_f64screw_memory memory{}; lyapunov_readings_of_poses_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f64screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_f64screw storage{};
+};
+
+/* Readings of poses at a fixed period, with twists that the device measures. */
+template <class Signal> class ReadingsOfPosesMeasured;
+
+template <> class ReadingsOfPosesMeasured<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_measured_f32screw_parameters;
+    using Memory = lyapunov_readings_of_poses_measured_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_measured_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_f32screw_memory memory{}; lyapunov_readings_of_poses_measured_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f32screw read_moving(const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_f32screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_measured_f32screw storage{};
+};
+
+template <> class ReadingsOfPosesMeasured<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_measured_f64screw_parameters;
+    using Memory = lyapunov_readings_of_poses_measured_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_measured_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_f64screw_memory memory{}; lyapunov_readings_of_poses_measured_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f64screw read_moving(const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_f64screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_measured_f64screw storage{};
 };
 
 /* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. */
@@ -6033,6 +6141,185 @@ public:
     lyapunov_tank_f64screw storage{};
 };
 
+/* Energy tank with a port (EnergyTank): filled by what your controller dissipates, it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no samples. */
+template <class Signal> class EnergyTank;
+
+template <> class EnergyTank<float> {
+public:
+    using Parameters = lyapunov_energy_tank_f32_parameters;
+    using Memory = lyapunov_energy_tank_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f32_memory save() const noexcept { lyapunov_energy_tank_f32_memory memory{}; lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f32_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    float pass(float period, float dissipated, float wished, float flow) noexcept { float passed{}; lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    float energy() const noexcept { return lyapunov_energy_tank_f32_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f32 storage{};
+};
+
+template <> class EnergyTank<double> {
+public:
+    using Parameters = lyapunov_energy_tank_f64_parameters;
+    using Memory = lyapunov_energy_tank_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f64_memory save() const noexcept { lyapunov_energy_tank_f64_memory memory{}; lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f64_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    double pass(double period, double dissipated, double wished, double flow) noexcept { double passed{}; lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    double energy() const noexcept { return lyapunov_energy_tank_f64_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f64 storage{};
+};
+
+template <> class EnergyTank<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_energy_tank_f32x3_parameters;
+    using Memory = lyapunov_energy_tank_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f32x3_memory save() const noexcept { lyapunov_energy_tank_f32x3_memory memory{}; lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x3_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); lyapunov_f32x3 passed{}; lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    float energy() const noexcept { return lyapunov_energy_tank_f32x3_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f32x3 storage{};
+};
+
+template <> class EnergyTank<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_energy_tank_f64x3_parameters;
+    using Memory = lyapunov_energy_tank_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f64x3_memory save() const noexcept { lyapunov_energy_tank_f64x3_memory memory{}; lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x3_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); lyapunov_f64x3 passed{}; lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    double energy() const noexcept { return lyapunov_energy_tank_f64x3_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f64x3 storage{};
+};
+
+template <> class EnergyTank<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_energy_tank_f32x6_parameters;
+    using Memory = lyapunov_energy_tank_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f32x6_memory save() const noexcept { lyapunov_energy_tank_f32x6_memory memory{}; lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x6_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); lyapunov_f32x6 passed{}; lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    float energy() const noexcept { return lyapunov_energy_tank_f32x6_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f32x6 storage{};
+};
+
+template <> class EnergyTank<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_energy_tank_f64x6_parameters;
+    using Memory = lyapunov_energy_tank_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f64x6_memory save() const noexcept { lyapunov_energy_tank_f64x6_memory memory{}; lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x6_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); lyapunov_f64x6 passed{}; lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    double energy() const noexcept { return lyapunov_energy_tank_f64x6_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f64x6 storage{};
+};
+
+template <> class EnergyTank<Screw<float>> {
+public:
+    using Parameters = lyapunov_energy_tank_f32screw_parameters;
+    using Memory = lyapunov_energy_tank_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f32screw_memory save() const noexcept { lyapunov_energy_tank_f32screw_memory memory{}; lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32screw_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); lyapunov_f32screw passed{}; lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    float energy() const noexcept { return lyapunov_energy_tank_f32screw_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f32screw storage{};
+};
+
+template <> class EnergyTank<Screw<double>> {
+public:
+    using Parameters = lyapunov_energy_tank_f64screw_parameters;
+    using Memory = lyapunov_energy_tank_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_energy_tank_f64screw_memory save() const noexcept { lyapunov_energy_tank_f64screw_memory memory{}; lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_energy_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64screw_restore(&storage, &memory)); }
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); lyapunov_f64screw passed{}; lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    /* The energy in it, J; NaN if the storage is not initialised. */
+    double energy() const noexcept { return lyapunov_energy_tank_f64screw_energy(&storage); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
+    lyapunov_energy_tank_f64screw storage{};
+};
+
 /* Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 template <class Signal> class EnergyBounding;
 
@@ -7591,6 +7878,543 @@ public:
     friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
     lyapunov_two_layer_f64screw storage{};
+};
+
+/* Wave transformation (WaveTransform): waves of a flow and an effort, and the other way round. It has no memory, and what is not finite comes out so. */
+template <class Signal> class WaveTransform;
+
+template <> class WaveTransform<float> {
+public:
+    using Parameters = lyapunov_wave_transform_f32_parameters;
+    using Memory = lyapunov_wave_transform_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f32_memory save() const noexcept { lyapunov_wave_transform_f32_memory memory{}; lyapunov_wave_transform_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f32_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f32 encode(float flow, float effort) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f32 decode(float there, float back) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f32 effort(float flow, float back) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f32 flow(float effort, float there) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f32 storage{};
+};
+
+template <> class WaveTransform<double> {
+public:
+    using Parameters = lyapunov_wave_transform_f64_parameters;
+    using Memory = lyapunov_wave_transform_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f64_memory save() const noexcept { lyapunov_wave_transform_f64_memory memory{}; lyapunov_wave_transform_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f64_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f64 encode(double flow, double effort) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f64 decode(double there, double back) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f64 effort(double flow, double back) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f64 flow(double effort, double there) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f64 storage{};
+};
+
+template <> class WaveTransform<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_wave_transform_f32x3_parameters;
+    using Memory = lyapunov_wave_transform_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f32x3_memory save() const noexcept { lyapunov_wave_transform_f32x3_memory memory{}; lyapunov_wave_transform_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x3_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f32x3 storage{};
+};
+
+template <> class WaveTransform<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_wave_transform_f64x3_parameters;
+    using Memory = lyapunov_wave_transform_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f64x3_memory save() const noexcept { lyapunov_wave_transform_f64x3_memory memory{}; lyapunov_wave_transform_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x3_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f64x3 storage{};
+};
+
+template <> class WaveTransform<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_wave_transform_f32x6_parameters;
+    using Memory = lyapunov_wave_transform_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f32x6_memory save() const noexcept { lyapunov_wave_transform_f32x6_memory memory{}; lyapunov_wave_transform_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x6_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f32x6 storage{};
+};
+
+template <> class WaveTransform<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_wave_transform_f64x6_parameters;
+    using Memory = lyapunov_wave_transform_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f64x6_memory save() const noexcept { lyapunov_wave_transform_f64x6_memory memory{}; lyapunov_wave_transform_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x6_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f64x6 storage{};
+};
+
+template <> class WaveTransform<Screw<float>> {
+public:
+    using Parameters = lyapunov_wave_transform_f32screw_parameters;
+    using Memory = lyapunov_wave_transform_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f32screw_memory save() const noexcept { lyapunov_wave_transform_f32screw_memory memory{}; lyapunov_wave_transform_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32screw_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f32screw storage{};
+};
+
+template <> class WaveTransform<Screw<double>> {
+public:
+    using Parameters = lyapunov_wave_transform_f64screw_parameters;
+    using Memory = lyapunov_wave_transform_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_transform_f64screw_memory save() const noexcept { lyapunov_wave_transform_f64screw_memory memory{}; lyapunov_wave_transform_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_transform_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64screw_restore(&storage, &memory)); }
+    /* The waves of a flow and an effort. */
+    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    /* The flow and the effort of the waves there and back. */
+    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
+    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
+    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
+    lyapunov_wave_transform_f64screw storage{};
+};
+
+/* Low pass in the path of a wave (WaveFilter). */
+template <class Signal> class WaveFilter;
+
+template <> class WaveFilter<float> {
+public:
+    using Parameters = lyapunov_wave_filter_f32_parameters;
+    using Memory = lyapunov_wave_filter_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f32_memory save() const noexcept { lyapunov_wave_filter_f32_memory memory{}; lyapunov_wave_filter_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f32_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    float pass(float wave) noexcept { float sent{}; lyapunov_wave_filter_f32_pass(&storage, wave, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f32 storage{};
+};
+
+template <> class WaveFilter<double> {
+public:
+    using Parameters = lyapunov_wave_filter_f64_parameters;
+    using Memory = lyapunov_wave_filter_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f64_memory save() const noexcept { lyapunov_wave_filter_f64_memory memory{}; lyapunov_wave_filter_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f64_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    double pass(double wave) noexcept { double sent{}; lyapunov_wave_filter_f64_pass(&storage, wave, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f64 storage{};
+};
+
+template <> class WaveFilter<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_wave_filter_f32x3_parameters;
+    using Memory = lyapunov_wave_filter_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f32x3_memory save() const noexcept { lyapunov_wave_filter_f32x3_memory memory{}; lyapunov_wave_filter_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x3_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    lyapunov_f32x3 pass(View<float, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x3>(wave); lyapunov_f32x3 sent{}; lyapunov_wave_filter_f32x3_pass(&storage, &wave_form, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f32x3 storage{};
+};
+
+template <> class WaveFilter<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_wave_filter_f64x3_parameters;
+    using Memory = lyapunov_wave_filter_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f64x3_memory save() const noexcept { lyapunov_wave_filter_f64x3_memory memory{}; lyapunov_wave_filter_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x3_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    lyapunov_f64x3 pass(View<double, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x3>(wave); lyapunov_f64x3 sent{}; lyapunov_wave_filter_f64x3_pass(&storage, &wave_form, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f64x3 storage{};
+};
+
+template <> class WaveFilter<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_wave_filter_f32x6_parameters;
+    using Memory = lyapunov_wave_filter_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f32x6_memory save() const noexcept { lyapunov_wave_filter_f32x6_memory memory{}; lyapunov_wave_filter_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x6_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    lyapunov_f32x6 pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x6>(wave); lyapunov_f32x6 sent{}; lyapunov_wave_filter_f32x6_pass(&storage, &wave_form, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f32x6 storage{};
+};
+
+template <> class WaveFilter<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_wave_filter_f64x6_parameters;
+    using Memory = lyapunov_wave_filter_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f64x6_memory save() const noexcept { lyapunov_wave_filter_f64x6_memory memory{}; lyapunov_wave_filter_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x6_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    lyapunov_f64x6 pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x6>(wave); lyapunov_f64x6 sent{}; lyapunov_wave_filter_f64x6_pass(&storage, &wave_form, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f64x6 storage{};
+};
+
+template <> class WaveFilter<Screw<float>> {
+public:
+    using Parameters = lyapunov_wave_filter_f32screw_parameters;
+    using Memory = lyapunov_wave_filter_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f32screw_memory save() const noexcept { lyapunov_wave_filter_f32screw_memory memory{}; lyapunov_wave_filter_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32screw_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    lyapunov_f32screw pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32screw>(wave); lyapunov_f32screw sent{}; lyapunov_wave_filter_f32screw_pass(&storage, &wave_form, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f32screw storage{};
+};
+
+template <> class WaveFilter<Screw<double>> {
+public:
+    using Parameters = lyapunov_wave_filter_f64screw_parameters;
+    using Memory = lyapunov_wave_filter_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_filter_f64screw_memory save() const noexcept { lyapunov_wave_filter_f64screw_memory memory{}; lyapunov_wave_filter_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_filter_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64screw_restore(&storage, &memory)); }
+    /* The wave to send for `wave`. One that is not finite is passed over. */
+    lyapunov_f64screw pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64screw>(wave); lyapunov_f64screw sent{}; lyapunov_wave_filter_f64screw_pass(&storage, &wave_form, &sent); return sent; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
+    lyapunov_wave_filter_f64screw storage{};
+};
+
+/* Slave behind a wave (WaveFollower): a spring and a damper that solve for the flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no memory. */
+template <class Signal> class WaveFollower;
+
+template <> class WaveFollower<float> {
+public:
+    using Parameters = lyapunov_wave_follower_f32_parameters;
+    using Memory = lyapunov_wave_follower_f32_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f32_memory save() const noexcept { lyapunov_wave_follower_f32_memory memory{}; lyapunov_wave_follower_f32_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f32_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f32 storage{};
+};
+
+template <> class WaveFollower<double> {
+public:
+    using Parameters = lyapunov_wave_follower_f64_parameters;
+    using Memory = lyapunov_wave_follower_f64_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f64_memory save() const noexcept { lyapunov_wave_follower_f64_memory memory{}; lyapunov_wave_follower_f64_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f64_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f64 storage{};
+};
+
+template <> class WaveFollower<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_wave_follower_f32x3_parameters;
+    using Memory = lyapunov_wave_follower_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f32x3_memory save() const noexcept { lyapunov_wave_follower_f32x3_memory memory{}; lyapunov_wave_follower_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x3_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); lyapunov_wave_f32x3 wave{}; lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f32x3 storage{};
+};
+
+template <> class WaveFollower<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_wave_follower_f64x3_parameters;
+    using Memory = lyapunov_wave_follower_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f64x3_memory save() const noexcept { lyapunov_wave_follower_f64x3_memory memory{}; lyapunov_wave_follower_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x3_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); lyapunov_wave_f64x3 wave{}; lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f64x3 storage{};
+};
+
+template <> class WaveFollower<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_wave_follower_f32x6_parameters;
+    using Memory = lyapunov_wave_follower_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f32x6_memory save() const noexcept { lyapunov_wave_follower_f32x6_memory memory{}; lyapunov_wave_follower_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x6_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); lyapunov_wave_f32x6 wave{}; lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f32x6 storage{};
+};
+
+template <> class WaveFollower<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_wave_follower_f64x6_parameters;
+    using Memory = lyapunov_wave_follower_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f64x6_memory save() const noexcept { lyapunov_wave_follower_f64x6_memory memory{}; lyapunov_wave_follower_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x6_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); lyapunov_wave_f64x6 wave{}; lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f64x6 storage{};
+};
+
+template <> class WaveFollower<Screw<float>> {
+public:
+    using Parameters = lyapunov_wave_follower_f32screw_parameters;
+    using Memory = lyapunov_wave_follower_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f32screw_memory save() const noexcept { lyapunov_wave_follower_f32screw_memory memory{}; lyapunov_wave_follower_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32screw_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); lyapunov_wave_f32screw wave{}; lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f32screw storage{};
+};
+
+template <> class WaveFollower<Screw<double>> {
+public:
+    using Parameters = lyapunov_wave_follower_f64screw_parameters;
+    using Memory = lyapunov_wave_follower_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_wave_follower_f64screw_memory save() const noexcept { lyapunov_wave_follower_f64screw_memory memory{}; lyapunov_wave_follower_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_wave_follower_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64screw_restore(&storage, &memory)); }
+    /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
+    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); lyapunov_wave_f64screw wave{}; lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
+    lyapunov_wave_follower_f64screw storage{};
 };
 
 /* Observer alone (Observer): sums the port's energy and what the device's own damper burns, and changes no effort. */

@@ -1,7 +1,7 @@
 //! Flat form of values: words of one width, in which memory is kept and stored.
 
-use lyapunov::Scalar;
-use lyapunov::poses::{Axes, Screw};
+use lyapunov::poses::{Axes, Screw, WithPose};
+use lyapunov::{Scalar, Signal};
 use nalgebra::{SVector, Vector3};
 
 use crate::number::Word;
@@ -171,6 +171,23 @@ impl<W: Word, T: Flat<W> + Scalar, F: Axes> Flat<W> for Screw<T, F> {
     fn take(from: &mut impl FnMut() -> W) -> Self {
         let translation = Vector3::take(from);
         Self::new(translation, Vector3::take(from))
+    }
+}
+
+impl<W: Word, T: Flat<W> + Scalar, F: Axes> Flat<W> for WithPose<T, F> {
+    const WORDS: usize = 13 * T::WORDS;
+
+    #[inline]
+    fn put(&self, out: &mut impl FnMut(W)) {
+        self.map(|number| {
+            number.put(out);
+            number
+        });
+    }
+
+    #[inline]
+    fn take(from: &mut impl FnMut() -> W) -> Self {
+        Self::default().map(|_| T::take(from))
     }
 }
 

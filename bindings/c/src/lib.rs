@@ -12,6 +12,7 @@
 extern crate std;
 
 pub mod abi;
+pub mod answered;
 pub mod blocks;
 mod check;
 #[cfg(feature = "describe")]
@@ -24,6 +25,7 @@ pub mod number;
 #[cfg(feature = "library")]
 mod panic;
 pub mod port;
+pub mod poses;
 pub mod readings;
 pub mod status;
 pub mod status_text;

@@ -4,7 +4,6 @@ use lyapunov::poses::Screw;
 use lyapunov::{Correction, PortSample, Signal};
 use nalgebra::{SVector, Vector3};
 
-use crate::check;
 use crate::number::Number;
 
 /// Several axes, in C `lyapunov_f64x3` and kin.
@@ -15,8 +14,15 @@ pub struct AxesForm<T, const N: usize> {
     pub axis: [T; N],
 }
 
+impl<T: Number, const N: usize> Default for AxesForm<T, N> {
+    #[inline]
+    fn default() -> Self {
+        Self { axis: [T::default(); N] }
+    }
+}
+
 /// Twist or wrench, in C `lyapunov_f64screw` and kin.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C)]
 pub struct ScrewForm<T> {
     /// The part of translation: m/s, m, N.
@@ -28,7 +34,7 @@ pub struct ScrewForm<T> {
 /// Signal that C has a form for.
 pub trait Port: Signal<Scalar: Number> {
     /// The form.
-    type Form: Copy + PartialEq + core::fmt::Debug + 'static;
+    type Form: Copy + Default + PartialEq + core::fmt::Debug + 'static;
 
     /// The form as the argument of a function: a number itself, else a pointer.
     type Given: Copy;
@@ -39,11 +45,14 @@ pub trait Port: Signal<Scalar: Number> {
     /// The form of a signal.
     fn form(self) -> Self::Form;
 
-    /// The form that was given, or why it cannot be read.
+    /// The address of the form that was given; of a number, which is given itself, one that can be followed.
+    fn address(given: Self::Given) -> usize;
+
+    /// The signal that was given.
     ///
     /// # Safety
-    /// A pointer that is not null and aligned leads to a form that can be read.
-    unsafe fn given(given: Self::Given) -> Result<Self::Form, crate::status::Code>;
+    /// At the address is a form that can be read.
+    unsafe fn read(given: Self::Given) -> Self;
 }
 
 macro_rules! line {
@@ -64,8 +73,13 @@ macro_rules! line {
             }
 
             #[inline(always)]
-            unsafe fn given(given: $number) -> Result<$number, crate::status::Code> {
-                Ok(given)
+            fn address(_given: $number) -> usize {
+                align_of::<$number>()
+            }
+
+            #[inline(always)]
+            unsafe fn read(given: $number) -> $number {
+                given
             }
         }
     )+};
@@ -85,14 +99,21 @@ impl<T: Number, const N: usize> Port for SVector<T, N> {
 
     #[inline(always)]
     fn form(self) -> Self::Form {
-        AxesForm { axis: self.into() }
+        let mut form = AxesForm::default();
+        // Axis by axis: copied as a whole, they take another way through the registers.
+        form.axis.iter_mut().zip(self.iter()).for_each(|(place, axis)| *place = *axis);
+        form
     }
 
     #[inline(always)]
-    unsafe fn given(given: Self::Given) -> Result<Self::Form, crate::status::Code> {
-        check::pointer(given)?;
-        // SAFETY: the pointer is neither null nor misaligned, and the caller vouches for the rest.
-        Ok(unsafe { given.read() })
+    fn address(given: Self::Given) -> usize {
+        given.addr()
+    }
+
+    #[inline(always)]
+    unsafe fn read(given: Self::Given) -> Self {
+        // SAFETY: as the caller says.
+        Self::of(unsafe { given.read() })
     }
 }
 
@@ -113,10 +134,14 @@ impl<T: Number> Port for Screw<T> {
     }
 
     #[inline(always)]
-    unsafe fn given(given: Self::Given) -> Result<Self::Form, crate::status::Code> {
-        check::pointer(given)?;
-        // SAFETY: the pointer is neither null nor misaligned, and the caller vouches for the rest.
-        Ok(unsafe { given.read() })
+    fn address(given: Self::Given) -> usize {
+        given.addr()
+    }
+
+    #[inline(always)]
+    unsafe fn read(given: Self::Given) -> Self {
+        // SAFETY: as the caller says.
+        Self::of(unsafe { given.read() })
     }
 }
 

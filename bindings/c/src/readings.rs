@@ -1,12 +1,12 @@
 //! Readings in C: what a device tells, and the sample that becomes of it.
 
-use lyapunov::{CheckedSample, Signal};
+use lyapunov::CheckedSample;
 
 use crate::check;
-use crate::kept::{Keep, Kind, Storage};
+use crate::kept::{Keep, Kind, NumberOf, Storage};
 use crate::port::{Port, SampleForm};
 use crate::status::Code;
-use crate::verbs::open;
+use crate::verbs::has_tag;
 
 /// Sample of a reading, and what was found in it; in C `lyapunov_checked_sample_f64` and kin.
 #[derive(Clone, Copy, Debug)]
@@ -64,27 +64,58 @@ pub unsafe fn read<K: Kind, const N: usize>(
     checked: *mut CheckedForm<K::Port>,
     read: impl FnOnce(&mut K::Body, [K::Port; N]) -> CheckedSample<K::Port>,
 ) -> u32 {
+    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; all are read
+    // before the storage is lent.
+    unsafe {
+        let (signals, others) = (given.map(K::Port::address), [storage.addr(), checked.addr()]);
+        if !check::aligned::<NumberOf<K>, 2>(others)
+            || !check::aligned::<NumberOf<K>, N>(signals)
+            || !check::present(others)
+            || !has_tag(storage)
+            || !check::present(signals)
+        {
+            return refuse(storage.cast(), given, checked);
+        }
+        let signals = given.map(|given| K::Port::read(given));
+        finish((*storage).kept.lend(|body| read(body, signals)), checked)
+    }
+}
+
+/// The end of a reading that could not begin: what was wrong, told if it can be. Out of the way of those that could.
+///
+/// # Safety
+/// As [`init`](crate::verbs::init).
+#[cold]
+#[inline(never)]
+pub(crate) unsafe fn refuse<V: Port, const N: usize>(
+    storage: *const V::Scalar,
+    given: [V::Given; N],
+    checked: *mut CheckedForm<V>,
+) -> u32 {
     if let Err(code) = check::pointer(checked) {
         return code as u32;
     }
-    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; all are read
-    // before the storage is lent.
-    let done = unsafe {
-        let mut signals = [K::Port::splat(lyapunov::Scalar::of(0.0)); N];
-        let mut told = Ok(());
-        for (signal, given) in signals.iter_mut().zip(given) {
-            match K::Port::given(given) {
-                Ok(form) => *signal = K::Port::of(form),
-                Err(code) => told = Err(code),
-            }
-        }
-        told.and_then(|()| open(storage)?.kept.lend(|body| read(body, signals)))
-    };
+    let mut addresses = given.into_iter().map(V::address);
+    let pointers = addresses.try_for_each(check::address::<V::Scalar>);
+    let code = pointers.and_then(|()| check::pointer(storage)).err();
+    // SAFETY: checked, and a variable by the caller's word.
+    unsafe { finish(Err(code.unwrap_or(Code::NotInitialised)), checked) }
+}
+
+/// The end of a reading: its sample, written.
+///
+/// # Safety
+/// `checked` is a variable of the caller's.
+#[inline(always)]
+unsafe fn finish<V: Port>(
+    done: Result<CheckedSample<V>, Code>,
+    checked: *mut CheckedForm<V>,
+) -> u32 {
     let (told, code) = match &done {
         Ok(sample) => (CheckedForm::of(sample), Code::Ok),
         Err(code) => (CheckedForm::refused(), *code),
     };
-    // SAFETY: checked above.
+    // SAFETY: as the caller says.
     unsafe { checked.write(told) };
     code as u32
 }

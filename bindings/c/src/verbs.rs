@@ -42,6 +42,17 @@ pub unsafe fn init<K: Kind>(
     }
 }
 
+/// Whether storage has the tag of its kind.
+///
+/// # Safety
+/// `storage` is neither null nor misaligned; else as [`init`].
+#[inline(always)]
+pub(crate) unsafe fn has_tag<K: Kind>(storage: *const Storage<K>) -> bool {
+    // SAFETY: as the caller says; every pattern of bits is a tag.
+    let tag = unsafe { (&raw const (*storage).tag).read() };
+    tag == WordOf::<K>::of(u64::from(K::TAG))
+}
+
 /// Whether the storage behind a pointer has the tag of its kind.
 ///
 /// # Safety
@@ -49,9 +60,8 @@ pub unsafe fn init<K: Kind>(
 #[inline(always)]
 unsafe fn tagged<K: Kind>(storage: *const Storage<K>) -> Result<(), Code> {
     check::pointer(storage)?;
-    // SAFETY: not null, aligned, and a variable by the caller's word; every pattern of bits is a tag.
-    let tag = unsafe { (&raw const (*storage).tag).read() };
-    if tag == WordOf::<K>::of(u64::from(K::TAG)) { Ok(()) } else { Err(Code::NotInitialised) }
+    // SAFETY: not null, aligned, and a variable by the caller's word.
+    if unsafe { has_tag(storage) } { Ok(()) } else { Err(Code::NotInitialised) }
 }
 
 /// The storage behind a pointer, if it has the tag of its kind.
@@ -129,34 +139,76 @@ pub unsafe fn restore<K: Kind>(storage: *mut Storage<K>, memory: *const K::Memor
     }
 }
 
-/// One tick, with `stabilize` in the middle.
+/// Whether a tick can begin: nothing is null or misaligned, and the storage has its tag.
 ///
 /// # Safety
 /// As [`init`].
 #[inline(always)]
-pub(crate) unsafe fn tick<K: Kind>(
-    storage: *mut Storage<K>,
+unsafe fn ready<K: Kind>(
+    storage: *const Storage<K>,
     sample: *const SampleForm<K::Port>,
     effort: <K::Port as Port>::Given,
-    correction: *mut CorrectionForm<K::Port>,
-    stabilize: impl FnOnce(&mut K::Body, SampleForm<K::Port>, K::Port) -> Correction<K::Port>,
+    correction: *const CorrectionForm<K::Port>,
+) -> bool {
+    const {
+        let number = align_of::<NumberOf<K>>();
+        assert!(align_of::<Storage<K>>() == number && align_of::<SampleForm<K::Port>>() == number);
+        assert!(align_of::<CorrectionForm<K::Port>>() == number);
+    }
+    let effort = K::Port::address(effort);
+    check::aligned::<NumberOf<K>, 4>([storage.addr(), sample.addr(), effort, correction.addr()])
+        && check::present([storage.addr(), sample.addr(), correction.addr()])
+        // SAFETY: not null, aligned as a number and so as the storage, and a variable by the caller's word.
+        && unsafe { has_tag(storage) }
+        // By itself: four at once are compared as vectors, which takes longer.
+        && effort != 0
+}
+
+/// The end of a tick that was not [`ready`]: what was wrong, told in the correction if that can be written. Out of the way of
+/// the ticks that are, and one for all blocks of a signal.
+///
+/// # Safety
+/// As [`init`].
+#[cold]
+#[inline(never)]
+unsafe fn refuse<V: Port>(
+    storage: *const V::Scalar,
+    sample: *const SampleForm<V>,
+    effort: V::Given,
+    correction: *mut CorrectionForm<V>,
 ) -> u32 {
     if let Err(code) = check::pointer(correction) {
         return code as u32;
     }
-    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word. Sample and
-    // effort are read before the storage is lent and the correction is written after, so all may overlap.
-    let done = unsafe {
-        check::pointer(sample).and_then(|()| {
-            let (sample, effort) = (sample.read(), K::Port::given(effort)?);
-            open(storage)?.kept.lend(|body| stabilize(body, sample, K::Port::of(effort)))
-        })
-    };
+    let pointers = check::pointer(sample)
+        .and_then(|()| check::address::<V::Scalar>(V::address(effort)))
+        .and_then(|()| check::pointer(storage));
+    let code = pointers.err().unwrap_or(Code::NotInitialised);
+    // SAFETY: checked, and a variable by the caller's word.
+    unsafe { finish(Err(code), correction) }
+}
+
+/// The end of a tick: the correction, written.
+///
+/// # Safety
+/// `correction` is a variable of the caller's.
+#[inline(always)]
+unsafe fn finish<V: Port>(
+    done: Result<Correction<V>, Code>,
+    correction: *mut CorrectionForm<V>,
+) -> u32 {
     let (told, code) = match &done {
+        // Apart from one that was rejected, so that an accepted tick ends without a jump.
+        Ok(done) if done.accepted => {
+            let told = CorrectionForm { accepted: 1, ..CorrectionForm::of(done) };
+            // SAFETY: as the caller says.
+            unsafe { correction.write(told) };
+            return Code::Ok as u32;
+        }
         Ok(done) => (CorrectionForm::of(done), Code::Ok),
         Err(code) => (CorrectionForm::refused(*code), *code),
     };
-    // SAFETY: checked above.
+    // SAFETY: as the caller says.
     unsafe { correction.write(told) };
     code as u32
 }
@@ -172,11 +224,15 @@ pub unsafe fn step<K: Kind<Body: Stabilizer<K::Port>>>(
     effort: <K::Port as Port>::Given,
     correction: *mut CorrectionForm<K::Port>,
 ) -> u32 {
-    // SAFETY: as the caller says.
+    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word. Sample and
+    // effort are read before the storage is lent and the correction is written after, so all may overlap. Every pattern of
+    // bits is a `Kept`, which is words or `Plain`.
     unsafe {
-        tick(storage, sample, effort, correction, |body, sample, effort| {
-            body.stabilize(&sample.sample(), effort)
-        })
+        if !ready(storage, sample, effort, correction) {
+            return refuse(storage.cast(), sample, effort, correction);
+        }
+        let (sample, effort) = (sample.read().sample(), K::Port::read(effort));
+        finish((*storage).kept.lend(|body| body.stabilize(&sample, effort)), correction)
     }
 }
 
@@ -232,31 +288,22 @@ pub unsafe fn called<K: Kind<Body: Stabilizer<K::Port>>>(
     correction: *mut CorrectionForm<K::Port>,
     tell: impl FnOnce(&mut K::Body, NumberOf<K>),
 ) -> u32 {
-    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; nothing of the
-    // storage is lent while the function of the caller runs.
-    let value = unsafe {
-        open(storage).and_then(|_| {
-            check::pointer(sample)?;
-            let seen = <Held as Work>::sample(&sample.read().sample(), no_effort::<K::Port>());
-            let function = function.ok_or(Code::Null)?;
-            Ok(function(context, &SampleForm::of(&seen)))
-        })
-    };
-    match value {
-        // SAFETY: as the caller says.
-        Ok(value) => unsafe {
-            tick(storage, sample, effort, correction, |body, sample, effort| {
-                tell(body, value);
-                body.stabilize(&sample.sample(), effort)
-            })
-        },
-        Err(code) => {
-            if check::pointer(correction).is_ok() {
-                // SAFETY: checked, and a variable by the caller's word.
-                unsafe { correction.write(CorrectionForm::refused(code)) };
-            }
-            code as u32
+    // SAFETY: as for `step`; nothing of the storage is lent while the function of the caller runs.
+    unsafe {
+        if !ready(storage, sample, effort, correction) {
+            return refuse(storage.cast(), sample, effort, correction);
         }
+        let Some(function) = function else {
+            return finish(Err(Code::Null), correction);
+        };
+        let (sample, effort) = (sample.read().sample(), K::Port::read(effort));
+        let seen = <Held as Work>::sample(&sample, no_effort::<K::Port>());
+        let value = function(context, &SampleForm::of(&seen));
+        let done = (*storage).kept.lend(|body| {
+            tell(body, value);
+            body.stabilize(&sample, effort)
+        });
+        finish(done, correction)
     }
 }
 

@@ -151,6 +151,40 @@ fn readings() {
     }
 }
 
+#[test]
+fn poses() {
+    use blocks::readings_of_poses::of_f64screw::{Block, Parameters, life, pose_reading};
+    use lyapunov_c::port::ScrewForm;
+    use lyapunov_c::poses::PoseForm;
+    let (fastest_translation, fastest_rotation) = (2.0, f64::INFINITY);
+    let given = Parameters { period: 1e-3, fastest_translation, fastest_rotation };
+    // SAFETY: here and below all pointers lead to variables of this function.
+    let mut it = fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
+    let applied = ScrewForm { translation: [0.0; 3], rotation: [0.0, 0.0, 2.0] };
+    // As it stands; a quarter of a turn, whose quaternion is no unit; no orientation at all.
+    for (quaternion, turned) in
+        [([0.0, 0.0, 0.0, 1.0], 0.0), ([0.0, 0.0, 2.0, 2.0], 1.0), ([0.0; 4], 0.0)]
+    {
+        let pose = PoseForm { position: [0.3, 0.0, 0.0], quaternion };
+        let mut out = MaybeUninit::uninit();
+        // SAFETY: as above; the call writes `out`.
+        let (code, read) = unsafe {
+            (pose_reading::read(&mut it, &pose, &applied, out.as_mut_ptr()), out.assume_init())
+        };
+        let quarter = turned * core::f64::consts::FRAC_PI_2;
+        assert_eq!((code, read.accepted), (0, u32::from(quaternion != [0.0; 4])));
+        assert!((read.sample.displacement.rotation[2] - quarter).abs() < 1e-12);
+        assert!(bytes(&it).len() == size_of_val(&it));
+    }
+    let mut memory = <Block as Kind>::EMPTY;
+    // SAFETY: as above.
+    let saved = unsafe { life::save(&it, &mut memory) };
+    let mut again = fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
+    // SAFETY: as above.
+    let restored = unsafe { life::restore(&mut again, &memory) };
+    assert_eq!((saved, restored.code, bytes(&it)), (0, 0, bytes(&again)));
+}
+
 /// What stands behind a tag may be anything.
 #[test]
 fn bytes_gone_bad() {

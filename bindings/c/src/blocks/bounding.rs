@@ -1,8 +1,8 @@
 //! Members of the family that reduce efforts whose energy is not covered.
 
 use lyapunov::stabilizers::{
-    EnergyBounding, ForceBound, ForceBounding, LeastNorm, MemoryBased, PathMemory, SlopeBound,
-    Tank, TankLimits,
+    EnergyBounding, EnergyTank, ForceBound, ForceBounding, LeastNorm, MemoryBased, PathMemory,
+    SlopeBound, Tank, TankLimits,
 };
 use lyapunov::{Dissipation, PortEnergy};
 
@@ -57,6 +57,27 @@ blocks! {
             Tank::new((PortEnergy, Dissipation::of(given.device_damping)?), store)
         };
         [life stabilizer account]
+    }
+    /// Energy tank with a port (EnergyTank): filled by what your controller dissipates, it lets pass as much of a wished input as it
+    /// can pay for at the flow that you tell. It is asked, and has no samples.
+    energy_tank on every = {
+        "energy_tank";
+        EnergyTank<T>, whole 5 + 0;
+        {
+            /// Energy at the start, J.
+            start: T,
+            /// The least energy, J.
+            floor: T,
+            /// The most energy, J; infinity: no limit.
+            ceiling: T,
+            /// The most power that is drawn, W; infinity: no limit.
+            power: T,
+        };
+        |given| {
+            let (start, floor) = (given.start, given.floor);
+            EnergyTank::new(TankLimits { start, floor, ceiling: given.ceiling, power: given.power })
+        };
+        [life drawn]
     }
     /// Energy-bounding algorithm (EnergyBounding), for a force that may act late.
     energy_bounding on every = {

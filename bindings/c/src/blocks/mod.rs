@@ -7,6 +7,7 @@ mod reading;
 mod refined;
 mod two_port;
 mod watching;
+mod wave;
 
 pub use bounding::*;
 pub use controllers::*;
@@ -15,6 +16,7 @@ pub use reading::*;
 pub use refined::*;
 pub use two_port::*;
 pub use watching::*;
+pub use wave::*;
 
 /// Describes all blocks.
 #[cfg(feature = "describe")]
@@ -25,5 +27,6 @@ pub fn describe(header: &mut crate::describe::Header) {
     refined::describe(header);
     bounding::describe(header);
     two_port::describe(header);
+    wave::describe(header);
     watching::describe(header);
 }

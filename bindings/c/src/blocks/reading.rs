@@ -1,10 +1,14 @@
 //! Readings of a device: what is read in, samples out.
 
-use lyapunov::readings::{Clocked, Differenced, LowPassed, Measured, Windowed};
+use lyapunov::poses::{Angle, WithPose};
+use lyapunov::readings::{
+    Clocked, Differenced, LowPassed, Measured, PartSpeeds, Poses, Steady, Windowed,
+};
 use lyapunov::{MovingReading, ParameterError, Reading, Readings};
 
 use crate::export::blocks;
 use crate::port::Port;
+use crate::poses::PoseForm;
 use crate::readings::CheckedForm;
 
 /// The longest window of velocities, ticks.
@@ -13,6 +17,13 @@ const WINDOW: usize = 16;
 /// The readings that all the others are made of.
 fn every<V: Port>(period: V::Scalar, fastest: V::Scalar) -> Result<Readings<V>, ParameterError> {
     Readings::every(period)?.no_faster_than(fastest)
+}
+
+/// Readings of poses with twists by differences.
+type OfPoses<T> = Readings<WithPose<T>, Differenced, Steady, Poses<T>>;
+
+fn poses<T: Angle>(period: T, translation: T, rotation: T) -> Result<OfPoses<T>, ParameterError> {
+    Readings::every(period)?.of_poses().no_faster_than(PartSpeeds { translation, rotation })
 }
 
 blocks! {
@@ -100,5 +111,39 @@ blocks! {
         };
         |given| Ok(every::<V>(given.period, given.fastest)?.measured().clocked());
         [life moving_reading_at place]
+    }
+    /// Readings of poses at a fixed period (Readings::of_poses), with twists by differences. The position of a sample is the sum of the
+    /// displacements from one accepted pose to the next. A pose that is not finite, or whose quaternion is 0, is rejected.
+    readings_of_poses on bodies = {
+        "readings_of_poses";
+        OfPoses<T>, whole 50 + 0;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            fastest_translation: T,
+            /// The fastest rotation, rad/s; infinity: no limit.
+            fastest_rotation: T,
+        };
+        |given| poses(given.period, given.fastest_translation, given.fastest_rotation);
+        [life pose_reading place]
+    }
+    /// Readings of poses at a fixed period, with twists that the device measures.
+    readings_of_poses_measured on bodies = {
+        "readings_of_poses_measured";
+        Readings<WithPose<T>, Measured, Steady, Poses<T>>, whole 50 + 0;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            fastest_translation: T,
+            /// The fastest rotation, rad/s; infinity: no limit.
+            fastest_rotation: T,
+        };
+        |given| {
+            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
+            Ok(poses(given.period, translation, rotation)?.measured())
+        };
+        [life moving_pose_reading place]
     }
 }

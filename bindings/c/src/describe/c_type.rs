@@ -6,8 +6,10 @@ use std::string::{String, ToString};
 use lyapunov::poses::Screw;
 use nalgebra::SVector;
 
+use crate::answered::WaveForm;
 use crate::number::Number;
 use crate::port::{AxesForm, CorrectionForm, Port, SampleForm, ScrewForm};
+use crate::poses::PoseForm;
 use crate::readings::CheckedForm;
 use crate::status::Status;
 use crate::told::Candidate;
@@ -93,6 +95,18 @@ impl<T: Suffix, const N: usize> CType for AxesForm<T, N> {
 impl<T: Suffix> CType for ScrewForm<T> {
     fn name() -> String {
         format!("lyapunov_{}screw", T::suffix())
+    }
+}
+
+impl<T: Suffix> CType for PoseForm<T> {
+    fn name() -> String {
+        format!("lyapunov_{}pose", T::suffix())
+    }
+}
+
+impl<V: Port + Suffix> CType for WaveForm<V> {
+    fn name() -> String {
+        format!("lyapunov_wave_{}", V::suffix())
     }
 }
 

@@ -11,7 +11,9 @@ use nalgebra::SVector;
 use super::c_type::{Named, Suffix};
 use super::{CType, Field, Header};
 use crate::abi::ABI;
+use crate::answered::WaveForm;
 use crate::port::{AxesForm, CorrectionForm, Port, SampleForm, ScrewForm};
+use crate::poses::PoseForm;
 use crate::readings::CheckedForm;
 use crate::status::{CODES, Status};
 use crate::told::Candidate;
@@ -126,6 +128,16 @@ fn signals<T: Named>(header: &mut Header) {
         field!(ScrewForm<T>, rotation, [T; 3], "The part of rotation: rad/s, rad, N.m, or J."),
     ];
     header.fields(&ScrewForm::<T>::name(), size_of::<ScrewForm<T>>(), &fields);
+    let fields = [
+        field!(PoseForm<T>, position, [T; 3], "Position of the reference point, m."),
+        field!(
+            PoseForm<T>,
+            quaternion,
+            [T; 4],
+            "Orientation as a quaternion: x, y, z, w. Its length does not matter, unless it is 0."
+        ),
+    ];
+    header.fields(&PoseForm::<T>::name(), size_of::<PoseForm<T>>(), &fields);
 }
 
 fn summary<T: Named>(header: &mut Header) {
@@ -229,6 +241,14 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
         field!(Checked<V>, timed, u32, "1 if the time could be used; always 1 at a fixed period."),
     ];
     header.fields(&Checked::<V>::name(), size_of::<Checked<V>>(), &fields);
+    type Wave<V> = WaveForm<V>;
+    let fields = [
+        field!(Wave<V>, flow, V::Form, "The flow, m/s."),
+        field!(Wave<V>, effort, V::Form, "The effort, N."),
+        field!(Wave<V>, there, V::Form, "The wave that travels with the flow, root of W."),
+        field!(Wave<V>, back, V::Form, "The wave that comes back, root of W."),
+    ];
+    header.fields(&Wave::<V>::name(), size_of::<Wave<V>>(), &fields);
     let (number, candidate) = (V::Scalar::name(), Candidate::<V>::name());
     let sample = <*const SampleForm<V>>::name();
     let declared = format!("typedef {number} (*{candidate})(void *context, {sample}sample);");

@@ -30,6 +30,9 @@ template <> struct axes_of<double, 6> { using type = lyapunov_f64x6; };
 template <class T> struct screw_of;
 template <> struct screw_of<float> { using type = lyapunov_f32screw; };
 template <> struct screw_of<double> { using type = lyapunov_f64screw; };
+template <class T> struct pose_of;
+template <> struct pose_of<float> { using type = lyapunov_f32pose; };
+template <> struct pose_of<double> { using type = lyapunov_f64pose; };
 
 } // namespace detail
 
@@ -38,6 +41,9 @@ template <class T, std::size_t N> using Axes = typename detail::axes_of<T, N>::t
 
 // Twist or wrench: translation, rotation.
 template <class T> using Screw = typename detail::screw_of<T>::type;
+
+// Position, and orientation as the quaternion x, y, z, w: the order of Eigen's coeffs().
+template <class T> using Pose = typename detail::pose_of<T>::type;
 
 // What became of a call.
 enum class Code : lyapunov_code {

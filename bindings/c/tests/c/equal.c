@@ -1,187 +1,5 @@
 /* Every block over random ticks: prints a hash of all that came out, to be compared with the library in Rust. */
-#include <stdio.h>
-#include <stdlib.h>
-
-#include <lyapunov.h>
-
-#include "random.h"
-
-static unsigned long ticks = 10000;
-
-#define GIVEN_f32(form) (form)
-#define GIVEN_f64(form) (form)
-#define GIVEN_f32x3(form) (&(form))
-#define GIVEN_f64x3(form) (&(form))
-#define GIVEN_f32x6(form) (&(form))
-#define GIVEN_f64x6(form) (&(form))
-#define GIVEN_f32screw(form) (&(form))
-#define GIVEN_f64screw(form) (&(form))
-
-typedef float number_f32, number_f32x3, number_f32x6, number_f32screw;
-typedef double number_f64, number_f64x3, number_f64x6, number_f64screw;
-typedef float lyapunov_f32;
-typedef double lyapunov_f64;
-
-#define FILL(signal, form, most)                                     \
-    do {                                                             \
-        number_##signal numbers[sizeof(form) / sizeof(number_##signal)]; \
-        size_t at_;                                                  \
-        for (at_ = 0; at_ < sizeof numbers / sizeof numbers[0]; ++at_) { \
-            numbers[at_] = (number_##signal)random_number(most);     \
-        }                                                            \
-        memcpy(&(form), numbers, sizeof numbers);                    \
-    } while (0)
-
-#define HASH(signal, form)                                           \
-    do {                                                             \
-        number_##signal numbers[sizeof(form) / sizeof(number_##signal)]; \
-        size_t at_;                                                  \
-        memcpy(numbers, &(form), sizeof numbers);                    \
-        for (at_ = 0; at_ < sizeof numbers / sizeof numbers[0]; ++at_) { \
-            hash_number((double)numbers[at_]);                       \
-        }                                                            \
-    } while (0)
-
-#define FILL_SAMPLE(signal, sample)                                  \
-    do {                                                             \
-        (sample).period = (number_##signal)random_period();          \
-        FILL(signal, (sample).position, random_most[0]);             \
-        FILL(signal, (sample).velocity, random_most[1]);             \
-        FILL(signal, (sample).displacement, random_most[2]);         \
-        FILL(signal, (sample).applied, random_most[3]);              \
-        FILL(signal, (sample).work, random_most[4]);                 \
-    } while (0)
-
-#define HASH_SAMPLE(signal, sample)                                  \
-    do {                                                             \
-        hash_number((double)(sample).period);                        \
-        HASH(signal, (sample).position);                             \
-        HASH(signal, (sample).velocity);                             \
-        HASH(signal, (sample).displacement);                         \
-        HASH(signal, (sample).applied);                              \
-        HASH(signal, (sample).work);                                 \
-    } while (0)
-
-#define HASH_CORRECTION(signal, correction)                          \
-    do {                                                             \
-        HASH(signal, (correction).effort);                           \
-        hash_number((double)(correction).observed_energy);           \
-        hash_number((double)(correction).alpha);                     \
-        hash_number((double)(correction).shortfall);                 \
-        hash_bits((correction).accepted);                            \
-    } while (0)
-
-static void begin(void)
-{
-    random_state = 0x9e3779b97f4a7c15u;
-    hash_state = 0xcbf29ce484222325u;
-}
-
-static void checked(lyapunov_status status, const char *name)
-{
-    if (status.code != LYAPUNOV_OK) {
-        char text[200];
-        lyapunov_status_text(&status, text, sizeof text);
-        printf("%s: %s\n", name, text);
-        exit(1);
-    }
-}
-
-static void told(const char *name)
-{
-    /* In halves: the C libraries of microcontrollers need not print 64 bits. */
-    printf("%s %08lx%08lx\n", name, (unsigned long)(hash_state >> 32), (unsigned long)(hash_state & 0xffffffffu));
-}
-
-#define BEGIN(block, signal, ...)                                    \
-    static lyapunov_##block##_##signal storage;                      \
-    const lyapunov_##block##_##signal##_parameters parameters = __VA_ARGS__; \
-    unsigned long tick;                                              \
-    begin();                                                         \
-    checked(lyapunov_##block##_##signal##_init(&storage, &parameters), #block "_" #signal)
-
-/* What is called once a tick beside the step. */
-#define ALONE(block, signal)
-#define SIDE(block, signal)                                          \
-    lyapunov_##block##_##signal##_receive(&storage, (number_##signal)random_number(0.1)); \
-    hash_number((double)lyapunov_##block##_##signal##_absorbed(&storage))
-#define LAYER(block, signal)                                         \
-    lyapunov_##block##_##signal##_receive(&storage, (number_##signal)random_number(0.1)); \
-    hash_number((double)lyapunov_##block##_##signal##_sent(&storage))
-
-#define STABILIZER(block, signal, beside, ...)                       \
-    do {                                                             \
-        lyapunov_sample_##signal sample;                             \
-        lyapunov_correction_##signal correction;                     \
-        lyapunov_##signal effort;                                    \
-        BEGIN(block, signal, __VA_ARGS__);                           \
-        for (tick = 0; tick < ticks; ++tick) {                       \
-            FILL_SAMPLE(signal, sample);                             \
-            FILL(signal, effort, random_most[3]);                    \
-            lyapunov_##block##_##signal##_step(&storage, &sample, GIVEN_##signal(effort), &correction); \
-            HASH_CORRECTION(signal, correction);                     \
-            beside(block, signal);                                   \
-        }                                                            \
-        told(#block "_" #signal);                                    \
-    } while (0)
-
-#define CALLED(block, signal, function, ...)                         \
-    do {                                                             \
-        lyapunov_sample_##signal sample;                             \
-        lyapunov_correction_##signal correction;                     \
-        lyapunov_##signal effort;                                    \
-        double context = 0.5;                                           \
-        BEGIN(block, signal, __VA_ARGS__);                           \
-        for (tick = 0; tick < ticks; ++tick) {                       \
-            FILL_SAMPLE(signal, sample);                             \
-            FILL(signal, effort, random_most[3]);                    \
-            lyapunov_##block##_##signal##_step(&storage, &sample, GIVEN_##signal(effort), function, &context, &correction); \
-            HASH_CORRECTION(signal, correction);                     \
-        }                                                            \
-        told(#block "_" #signal);                                    \
-    } while (0)
-
-#define OBSERVER(signal, ...)                                        \
-    do {                                                             \
-        lyapunov_sample_##signal sample;                             \
-        number_##signal energy;                                      \
-        BEGIN(observer, signal, __VA_ARGS__);                        \
-        for (tick = 0; tick < ticks; ++tick) {                       \
-            FILL_SAMPLE(signal, sample);                             \
-            lyapunov_observer_##signal##_observe(&storage, &sample, &energy); \
-            hash_number((double)energy);                             \
-        }                                                            \
-        told("observer_" #signal);                                   \
-    } while (0)
-
-/* A device that moves at random, at times with a reading that is none; `call` reads. */
-#define READINGS(block, signal, call, ...)                           \
-    do {                                                             \
-        lyapunov_checked_sample_##signal seen;                       \
-        lyapunov_##signal position, velocity, applied;               \
-        double now = 0.0;                                            \
-        BEGIN(block, signal, __VA_ARGS__);                           \
-        for (tick = 0; tick < ticks; ++tick) {                       \
-            FILL(signal, position, random_most[0]);                  \
-            FILL(signal, velocity, random_most[1]);                  \
-            FILL(signal, applied, random_most[3]);                   \
-            now += random_period();                                  \
-            (void)velocity;                                          \
-            (void)now;                                               \
-            call(block, signal);                                     \
-            HASH_SAMPLE(signal, seen.sample);                        \
-            hash_bits(seen.accepted + 2 * seen.jumped + 4 * seen.late + 8 * seen.timed); \
-        }                                                            \
-        told(#block "_" #signal);                                    \
-    } while (0)
-#define READ(block, signal) \
-    lyapunov_##block##_##signal##_read(&storage, GIVEN_##signal(position), GIVEN_##signal(applied), &seen)
-#define READ_MOVING(block, signal) \
-    lyapunov_##block##_##signal##_read_moving(&storage, GIVEN_##signal(position), GIVEN_##signal(velocity), GIVEN_##signal(applied), &seen)
-#define READ_AT(block, signal) \
-    lyapunov_##block##_##signal##_read_at(&storage, now, GIVEN_##signal(position), GIVEN_##signal(applied), &seen)
-#define READ_MOVING_AT(block, signal) \
-    lyapunov_##block##_##signal##_read_moving_at(&storage, now, GIVEN_##signal(position), GIVEN_##signal(velocity), GIVEN_##signal(applied), &seen)
+#include "ticks.h"
 
 /* Work and the credit of a quadratic drag on the first number of the velocity, which stands at the same place in every
    sample: behind the period and the position. */
@@ -321,20 +139,30 @@ static void family(void)
 
 static void watching(void)
 {
-    OBSERVER(f32, { 0.5f });
-    OBSERVER(f64, { 0.5f });
-    OBSERVER(f32x3, { 0.5f });
-    OBSERVER(f64x3, { 0.5f });
-    OBSERVER(f32x6, { 0.5f });
-    OBSERVER(f64x6, { 0.5f });
-    OBSERVER(f32screw, { 0.5f });
-    OBSERVER(f64screw, { 0.5f });
+    ON_EVERY(OBSERVER, { 0.5f });
     EACH(readings, READINGS, READ, { 0.001f, 16 });
+    READINGS(readings, f32screw, READ, { 0.001f, 16 });
+    READINGS(readings, f64screw, READ, { 0.001f, 16 });
     EACH(readings_measured, READINGS, READ_MOVING, { 0.001f, 16 });
+    READINGS(readings_measured, f32screw, READ_MOVING, { 0.001f, 16 });
+    READINGS(readings_measured, f64screw, READ_MOVING, { 0.001f, 16 });
     EACH(readings_low_passed, READINGS, READ, { 0.001f, 16, 30 });
     EACH(readings_windowed, READINGS, READ, { 0.001f, 16, 8, 0.001f });
     EACH(readings_clocked, READINGS, READ_AT, { 0.001f, 16 });
     EACH(readings_measured_clocked, READINGS, READ_MOVING_AT, { 0.001f, 16 });
+    POSES(readings_of_poses, f32screw, lyapunov_f32pose, READ_POSE, { 0.001f, 16, 2000 });
+    POSES(readings_of_poses, f64screw, lyapunov_f64pose, READ_POSE, { 0.001f, 16, 2000 });
+    POSES(readings_of_poses_measured, f32screw, lyapunov_f32pose, READ_MOVING_POSE, { 0.001f, 16, 2000 });
+    POSES(readings_of_poses_measured, f64screw, lyapunov_f64pose, READ_MOVING_POSE, { 0.001f, 16, 2000 });
+}
+
+static void asked(void)
+{
+    ON_EVERY(WAVES, { 2 });
+    ON_EVERY(FILTERED, { 0.25f });
+    ON_EVERY(FOLLOWED, { 2, 50, 1.5f });
+    ON_EVERY(DRAWN, { 0.01f, 0.001f, 0.02f, 1 });
+    ON_EVERY(METERED, LOLC);
 }
 
 int main(int count, char **arguments)
@@ -346,5 +174,6 @@ int main(int count, char **arguments)
     refined();
     family();
     watching();
+    asked();
     return 0;
 }

@@ -70,6 +70,40 @@ static void null_signals_and_functions(void)
     EXPECT(read.accepted == 0 && isnan(read.sample.work.axis[0]));
 }
 
+static void null_poses_and_waves(void)
+{
+    lyapunov_readings_of_poses_f64screw readings;
+    const lyapunov_readings_of_poses_f64screw_parameters told = { 1e-3, 2.0, 20.0 };
+    const lyapunov_f64pose still = { { 0 }, { 0, 0, 0, 1 } };
+    const lyapunov_f64screw none = { { 0 }, { 0 } };
+    lyapunov_checked_sample_f64screw read;
+    lyapunov_wave_transform_f64x3 transform;
+    const lyapunov_wave_transform_f64x3_parameters wrong = { 0.0 }, usual_wave = { 2.0 };
+    lyapunov_wave_filter_f64 filter;
+    const lyapunov_wave_filter_f64_parameters share = { 0.5 };
+    const lyapunov_f64x3 ones = { { 1, 1, 1 } };
+    lyapunov_wave_f64x3 wave;
+    double sent = 1.0;
+
+    EXPECT(lyapunov_readings_of_poses_f64screw_init(&readings, &told).code == LYAPUNOV_OK);
+    EXPECT(lyapunov_readings_of_poses_f64screw_read(&readings, NULL, &none, &read) == LYAPUNOV_NULL);
+    EXPECT(read.accepted == 0 && isnan(read.sample.work.rotation[0]));
+    EXPECT(lyapunov_readings_of_poses_f64screw_read(&readings, &still, NULL, &read) == LYAPUNOV_NULL);
+    EXPECT(lyapunov_readings_of_poses_f64screw_read(&readings, &still, &none, NULL) == LYAPUNOV_NULL);
+    EXPECT(lyapunov_readings_of_poses_f64screw_read(NULL, &still, &none, &read) == LYAPUNOV_NULL);
+    EXPECT(lyapunov_readings_of_poses_f64screw_read(&readings, &still, &none, &read) == LYAPUNOV_OK && read.accepted == 1);
+    EXPECT(lyapunov_wave_transform_f64x3_init(&transform, &wrong).code == LYAPUNOV_PARAMETER);
+    EXPECT(lyapunov_wave_transform_f64x3_init(&transform, &usual_wave).code == LYAPUNOV_OK);
+    memset(&wave, 0xff, sizeof wave);
+    EXPECT(lyapunov_wave_transform_f64x3_encode(&transform, &ones, NULL, &wave) == LYAPUNOV_NULL);
+    EXPECT(!(wave.effort.axis[0] < 0.0) && !(wave.effort.axis[0] > 0.0) && !isnan(wave.effort.axis[0]));
+    EXPECT(lyapunov_wave_transform_f64x3_encode(&transform, &ones, &ones, NULL) == LYAPUNOV_NULL);
+    memset(&filter, 0, sizeof filter);
+    EXPECT(lyapunov_wave_filter_f64_pass(&filter, 1.0, &sent) == LYAPUNOV_NOT_INITIALISED && !(sent > 0.0));
+    EXPECT(lyapunov_wave_filter_f64_init(&filter, &share).code == LYAPUNOV_OK);
+    EXPECT(lyapunov_wave_filter_f64_pass(&filter, NAN, &sent) == LYAPUNOV_OK && !(sent > 0.0) && !isnan(sent));
+}
+
 static void never_initialised(void)
 {
     static const unsigned char fills[4] = { 0x00, 0xff, 0xa5, 0x01 };
@@ -284,6 +318,7 @@ int main(void)
 {
     null_pointers();
     null_signals_and_functions();
+    null_poses_and_waves();
     never_initialised();
     bytes_gone_bad();
     misaligned();

@@ -1,202 +1,6 @@
-//! Functions under their names in C, and their description.
+//! Groups of functions that blocks have.
 
-/// Functions of C: each is written once, here, and described from the same line.
-macro_rules! exported {
-    ($name:literal, $signal:literal, $describe:ident; $(
-        $(#[doc = $doc:literal])+
-        fn $verb:ident ($($argument:ident: $type:ty),* $(,)?) -> $returned:ty { $($body:tt)* }
-    )*) => {
-        $(
-            $(#[doc = $doc])+
-            ///
-            /// # Safety
-            /// A pointer that is neither null nor misaligned leads to a variable of its type that nobody else touches
-            /// meanwhile.
-            #[unsafe(export_name = concat!("lyapunov_", $name, "_", $signal, "_", stringify!($verb)))]
-            pub unsafe extern "C" fn $verb($($argument: $type),*) -> $returned {
-                $($body)*
-            }
-        )*
-
-        /// Describes the functions.
-        #[cfg(feature = "describe")]
-        pub fn $describe(header: &mut $crate::describe::Header) {
-            use $crate::describe::CType;
-            $(
-                header.function(
-                    concat!("lyapunov_", $name, "_", $signal, "_", stringify!($verb)),
-                    &[$($doc),+],
-                    <$returned as CType>::name(),
-                    &[$((stringify!($argument), <$type as CType>::name())),*],
-                );
-            )*
-        }
-    };
-}
-
-/// One block on one signal, in a module.
-macro_rules! block_on {
-    (
-        $module:ident, $signal:literal, [$port:ty], [$number:ty];
-        $(#[doc = $doc:literal])+
-        $name:literal;
-        $value:ty, $keep:ident $($numbers:literal + $per_axis:literal)?;
-        { $($(#[doc = $told:literal])+ $field:ident: $type:ty,)* };
-        |$given:ident| $build:expr;
-        [$($verbs:ident)*]
-    ) => {
-        /// On one kind of signal.
-        pub mod $module {
-            #![allow(unused_imports)]
-            use super::*;
-            use $crate::kept::{Kind, Storage, Whole, Words};
-            use $crate::port::{CorrectionForm, Port, SampleForm};
-            use $crate::flat::Flat;
-            use $crate::status::Status;
-            use $crate::blocks::lolc::$module as lolc;
-            use $crate::export::{kept, verbs};
-
-            /// The number.
-            pub type T = $number;
-            /// The signal.
-            pub type V = $port;
-            /// The signal as C has it.
-            pub type Form = <V as Port>::Form;
-            type Word = <T as $crate::number::Number>::Word;
-            /// How many axes it has.
-            pub const AXES: usize = size_of::<Form>() / size_of::<T>();
-
-            /// Parameters.
-            #[derive(Clone, Copy, Debug)]
-            #[repr(C)]
-            pub struct Parameters {
-                $($(#[doc = $told])+ pub $field: $type,)*
-            }
-
-            impl Flat<Word> for Parameters {
-                const WORDS: usize = 0 $(+ <$type as Flat<Word>>::WORDS)*;
-
-                fn put(&self, out: &mut impl FnMut(Word)) {
-                    $(Flat::<Word>::put(&self.$field, out);)*
-                }
-
-                fn take(from: &mut impl FnMut() -> Word) -> Self {
-                    Self { $($field: <$type as Flat<Word>>::take(from),)* }
-                }
-            }
-
-            /// Memory without the parameters, as words.
-            #[derive(Clone, Copy, Debug)]
-            #[repr(C)]
-            pub struct Memory {
-                /// The words.
-                pub word: [Word; MEMORY],
-            }
-
-            impl AsRef<[Word]> for Memory {
-                fn as_ref(&self) -> &[Word] {
-                    &self.word
-                }
-            }
-
-            impl AsMut<[Word]> for Memory {
-                fn as_mut(&mut self) -> &mut [Word] {
-                    &mut self.word
-                }
-            }
-
-            /// The kind.
-            #[derive(Clone, Copy, Debug)]
-            pub struct Block;
-
-            type Value = $value;
-            type State = <Value as lyapunov::Snapshot>::State;
-            const MEMORY: usize = <State as Flat<Word>>::WORDS;
-
-            impl Kind for Block {
-                type Port = V;
-                type Parameters = Parameters;
-                type Body = Value;
-                type Kept = kept!($keep);
-                type Memory = Memory;
-                const TAG: u32 = $crate::abi::tag($name, $signal);
-                const EMPTY: Memory = Memory { word: [0; MEMORY] };
-
-                #[inline(always)]
-                fn build($given: &Parameters) -> Result<Value, lyapunov::ParameterError> {
-                    $build
-                }
-            }
-
-            $(
-                // SAFETY: the fields of the value, and of the values in it, are numbers of the port and nothing else: the
-                // assertion below counts them, and a test under Miri reads every byte.
-                unsafe impl $crate::kept::Plain for Block {}
-
-                const _: () = assert!(
-                    size_of::<Value>()
-                        == ($numbers + $per_axis * AXES) * size_of::<T>()
-                );
-            )?
-
-            const _: () = assert!(align_of::<Storage<Block>>() == align_of::<T>());
-
-            /// Describes the block.
-            #[cfg(feature = "describe")]
-            pub fn describe(header: &mut $crate::describe::Header) {
-                use $crate::describe::{CType, Field};
-                let name = concat!("lyapunov_", $name, "_", $signal);
-                header.block(name, &[$($doc),+]);
-                header.parameters::<Block>(name, &[$(Field {
-                    name: stringify!($field),
-                    c_type: <$type as CType>::name(),
-                    offset: core::mem::offset_of!(Parameters, $field),
-                    about: &[$($told),+],
-                }),*]);
-                header.storage::<Block>(name);
-                $($verbs::describe(header);)*
-            }
-
-            $(
-                /// Functions of the block.
-                pub mod $verbs {
-                    use super::*;
-                    $crate::export::verbs! { $verbs, $name, $signal }
-                }
-            )*
-
-            // Names, as the functions are described by their types.
-            #[cfg(feature = "describe")]
-            impl $crate::describe::CType for Storage<Block> {
-                fn name() -> std::string::String {
-                    concat!("lyapunov_", $name, "_", $signal).into()
-                }
-            }
-
-            #[cfg(feature = "describe")]
-            impl $crate::describe::CType for Parameters {
-                fn name() -> std::string::String {
-                    concat!("lyapunov_", $name, "_", $signal, "_parameters").into()
-                }
-            }
-
-            #[cfg(feature = "describe")]
-            impl $crate::describe::CType for Memory {
-                fn name() -> std::string::String {
-                    concat!("lyapunov_", $name, "_", $signal, "_memory").into()
-                }
-            }
-        }
-    };
-}
-
-/// How storage keeps a value.
-macro_rules! kept {
-    (whole) => { Whole<Value> };
-    (words) => { Words<Block, { <Parameters as Flat<Word>>::WORDS + MEMORY }> };
-}
-
-/// Groups of functions.
+/// A group of functions of one block on one signal.
 macro_rules! verbs {
     (life, $name:literal, $signal:literal) => {
         $crate::export::exported! { $name, $signal, describe;
@@ -330,6 +134,34 @@ macro_rules! verbs {
             }
         }
     };
+    (pose_reading, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last.
+            fn read(storage: *mut Storage<Block>, pose: *const PoseForm<T>, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::poses::read(storage, pose, [applied], checked, |body, position, [applied]| body.read(Reading { position, applied })) }
+            }
+            /// The sample of a tick without a reading.
+            fn missed(storage: *mut Storage<Block>, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| $crate::poses::seen(body.missed(applied.into()))) }
+            }
+        }
+    };
+    (moving_pose_reading, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last.
+            fn read_moving(storage: *mut Storage<Block>, pose: *const PoseForm<T>, velocity: <V as Port>::Given, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::poses::read(storage, pose, [velocity, applied], checked, |body, position, [velocity, applied]| body.read_moving(MovingReading { position, velocity, applied })) }
+            }
+            /// The sample of a tick without a reading.
+            fn missed_moving(storage: *mut Storage<Block>, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| $crate::poses::seen(body.missed_moving(applied.into()))) }
+            }
+        }
+    };
     (place, $name:literal, $signal:literal) => {
         $crate::export::exported! { $name, $signal, describe;
             /// Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read.
@@ -367,6 +199,84 @@ macro_rules! verbs {
             }
         }
     };
+    (wave, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The waves of a flow and an effort.
+            fn encode(storage: *mut Storage<Block>, flow: <V as Port>::Given, effort: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::answered::answer(storage, [flow, effort], wave, |body, [flow, effort]| WaveForm::of(flow, effort, body.0.encode(flow, effort))) }
+            }
+            /// The flow and the effort of the waves there and back.
+            fn decode(storage: *mut Storage<Block>, there: <V as Port>::Given, back: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe {
+                    $crate::answered::answer(storage, [there, back], wave, |body, [there, back]| {
+                        let (flow, effort) = body.0.decode(there, back);
+                        WaveForm::of(flow, effort, (there, back))
+                    })
+                }
+            }
+            /// The effort where the flow is known and the wave `back` came in, and the wave that goes there.
+            fn effort(storage: *mut Storage<Block>, flow: <V as Port>::Given, back: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe {
+                    $crate::answered::answer(storage, [flow, back], wave, |body, [flow, back]| {
+                        let (effort, there) = body.0.effort(flow, back);
+                        WaveForm::of(flow, effort, (there, back))
+                    })
+                }
+            }
+            /// The flow where the effort is known and the wave `there` came in, and the wave that goes back.
+            fn flow(storage: *mut Storage<Block>, effort: <V as Port>::Given, there: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe {
+                    $crate::answered::answer(storage, [effort, there], wave, |body, [effort, there]| {
+                        let (flow, back) = body.0.flow(effort, there);
+                        WaveForm::of(flow, effort, (there, back))
+                    })
+                }
+            }
+        }
+    };
+    (wave_filter, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The wave to send for `wave`. One that is not finite is passed over.
+            fn pass(storage: *mut Storage<Block>, wave: <V as Port>::Given, sent: *mut Form) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::answered::answer(storage, [wave], sent, |body, [wave]| body.pass(wave).form()) }
+            }
+        }
+    };
+    (wave_follower, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's
+            /// velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back.
+            fn follow(storage: *mut Storage<Block>, there: <V as Port>::Given, error: <V as Port>::Given, velocity: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe {
+                    $crate::answered::answer(storage, [there, error, velocity], wave, |body, [there, error, velocity]| {
+                        let following = body.0.follow(there, error, velocity);
+                        WaveForm::of(following.flow, following.effort, (there, following.back))
+                    })
+                }
+            }
+        }
+    };
+    (drawn, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts),
+            /// while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is.
+            fn pass(storage: *mut Storage<Block>, period: T, dissipated: T, wished: <V as Port>::Given, flow: <V as Port>::Given, passed: *mut Form) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::answered::answer(storage, [wished, flow], passed, |body, [wished, flow]| body.pass(period, dissipated, wished, flow).form()) }
+            }
+            /// The energy in it, J; NaN if the storage is not initialised.
+            fn energy(storage: *const Storage<Block>) -> T {
+                // SAFETY: as the caller says.
+                unsafe { $crate::verbs::told_by(storage, |body| body.energy()) }
+            }
+        }
+    };
     (account, $name:literal, $signal:literal) => {
         use lyapunov::stabilizers::Account;
 
@@ -395,82 +305,4 @@ macro_rules! verbs {
     };
 }
 
-/// Blocks, an entry for each: a name, the signals, the value and how it is kept, its parameters, how it is made of them, and
-/// the groups of functions. `V` is the signal, `T` its number, `Form` the signal as C has it.
-macro_rules! blocks {
-    ($(
-        $(#[doc = $doc:literal])+
-        $module:ident on $signals:ident = $entry:tt
-    )*) => {
-        $(
-            $(#[doc = $doc])+
-            pub mod $module {
-                use super::*;
-                $crate::export::on! { $signals [$(#[doc = $doc])+] $entry }
-            }
-        )*
-
-        #[cfg(feature = "describe")]
-        pub(super) fn describe(header: &mut $crate::describe::Header) {
-            $($module::describe(header);)*
-        }
-    };
-}
-
-/// An entry on a set of signals.
-macro_rules! on {
-    (every $about:tt $entry:tt) => {
-        $crate::export::each! { $about $entry [of_f32 "f32" f32 f32] [of_f64 "f64" f64 f64]
-            [of_f32x3 "f32x3" (nalgebra::SVector<f32, 3>) f32] [of_f64x3 "f64x3" (nalgebra::SVector<f64, 3>) f64]
-            [of_f32x6 "f32x6" (nalgebra::SVector<f32, 6>) f32] [of_f64x6 "f64x6" (nalgebra::SVector<f64, 6>) f64]
-            [of_f32screw "f32screw" (lyapunov::poses::Screw<f32>) f32] [of_f64screw "f64screw" (lyapunov::poses::Screw<f64>) f64] }
-    };
-    (line $about:tt $entry:tt) => {
-        $crate::export::each! { $about $entry [of_f32 "f32" f32 f32] [of_f64 "f64" f64 f64] }
-    };
-    (spaces $about:tt $entry:tt) => {
-        $crate::export::each! { $about $entry
-            [of_f32x3 "f32x3" (nalgebra::SVector<f32, 3>) f32] [of_f64x3 "f64x3" (nalgebra::SVector<f64, 3>) f64]
-            [of_f32x6 "f32x6" (nalgebra::SVector<f32, 6>) f32] [of_f64x6 "f64x6" (nalgebra::SVector<f64, 6>) f64] }
-    };
-    (axes $about:tt $entry:tt) => {
-        $crate::export::each! { $about $entry [of_f32 "f32" f32 f32] [of_f64 "f64" f64 f64]
-            [of_f32x3 "f32x3" (nalgebra::SVector<f32, 3>) f32] [of_f64x3 "f64x3" (nalgebra::SVector<f64, 3>) f64]
-            [of_f32x6 "f32x6" (nalgebra::SVector<f32, 6>) f32] [of_f64x6 "f64x6" (nalgebra::SVector<f64, 6>) f64] }
-    };
-    (bodies $about:tt $entry:tt) => {
-        $crate::export::each! { $about $entry
-            [of_f32screw "f32screw" (lyapunov::poses::Screw<f32>) f32] [of_f64screw "f64screw" (lyapunov::poses::Screw<f64>) f64] }
-    };
-}
-
-/// An entry on each of the signals listed.
-macro_rules! each {
-    ($about:tt $entry:tt $([$module:ident $signal:literal $port:tt $number:tt])*) => {
-        $($crate::export::one! { $module $signal $port $number $about $entry })*
-
-        #[cfg(feature = "describe")]
-        pub(super) fn describe(header: &mut $crate::describe::Header) {
-            $($module::describe(header);)*
-        }
-    };
-}
-
-/// An entry on one signal.
-macro_rules! one {
-    ($module:ident $signal:literal $port:tt $number:tt [$($about:tt)*] { $($entry:tt)* }) => {
-        $crate::export::block_on! { $module, $signal, [$crate::export::bare!($port)], [$number]; $($about)* $($entry)* }
-    };
-}
-
-/// A type without the parentheses around it.
-macro_rules! bare {
-    (($port:ty)) => {
-        $port
-    };
-    ($port:ty) => {
-        $port
-    };
-}
-
-pub(crate) use {bare, block_on, blocks, each, exported, kept, on, one, verbs};
+pub(crate) use verbs;

@@ -1,0 +1,80 @@
+//! Functions of blocks that are asked something of signals, beside a stabilizer's tick.
+
+use lyapunov::{ParameterError, Scalar, Snapshot};
+
+use crate::check;
+use crate::kept::{Keep, Kind, NumberOf, Storage};
+use crate::port::Port;
+use crate::status::Code;
+use crate::verbs::open;
+
+/// End of a line of waves, in C `lyapunov_wave_f64` and kin: what is there, and what travels.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct WaveForm<V: Port> {
+    /// The flow, m/s.
+    pub flow: V::Form,
+    /// The effort, N.
+    pub effort: V::Form,
+    /// The wave that travels with the flow, in root of W.
+    pub there: V::Form,
+    /// The wave that comes back, in root of W.
+    pub back: V::Form,
+}
+
+impl<V: Port> WaveForm<V> {
+    /// The form of an end.
+    pub fn of(flow: V, effort: V, (there, back): (V, V)) -> Self {
+        let (flow, effort) = (flow.form(), effort.form());
+        Self { flow, effort, there: there.form(), back: back.form() }
+    }
+}
+
+impl<V: Port> Default for WaveForm<V> {
+    fn default() -> Self {
+        let zero = V::splat(Scalar::of(0.0));
+        Self::of(zero, zero, (zero, zero))
+    }
+}
+
+/// Value without memory.
+#[derive(Clone, Copy, Debug)]
+pub struct Fixed<B>(pub B);
+
+impl<B> Snapshot for Fixed<B> {
+    type State = ();
+
+    fn state(&self) {}
+
+    fn restored(self, _state: ()) -> Result<Self, ParameterError> {
+        Ok(self)
+    }
+}
+
+/// What `answer` gives for signals; each of `given` is read first. A call that does nothing gives zeros.
+///
+/// # Safety
+/// As [`init`](crate::verbs::init).
+#[inline(always)]
+pub unsafe fn answer<K: Kind, O: Copy + Default, const N: usize>(
+    storage: *mut Storage<K>,
+    given: [<K::Port as Port>::Given; N],
+    out: *mut O,
+    answer: impl FnOnce(&mut K::Body, [K::Port; N]) -> O,
+) -> u32 {
+    if let Err(code) = check::pointer(out) {
+        return code as u32;
+    }
+    let mut addresses = given.into_iter().map(K::Port::address);
+    let sound = addresses.try_for_each(check::address::<NumberOf<K>>);
+    // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; all are read
+    // before the storage is lent, and the answer is written after.
+    unsafe {
+        let done = sound.and_then(|()| {
+            let signals = given.map(|given| K::Port::read(given));
+            open(storage)?.kept.lend(|body| answer(body, signals))
+        });
+        out.write(done.unwrap_or_default());
+        done.err().unwrap_or(Code::Ok) as u32
+    }
+}
