@@ -48,7 +48,7 @@ pub extern "C" fn band(first: usize, count: usize) -> u32 {
         MAP.with_borrow(|map| {
             let Map { name, kernel } = map.as_ref().ok_or("no map was begun")?;
             let cells: Vec<u64> = (first..first + count).map(|cell| cell as u64).collect();
-            let verdicts = kernel.verdicts_in_f64(*name, &cells);
+            let verdicts = lyapunov_web_speed::verdicts(kernel, *name, &cells);
             let verdicts = verdicts.map_err(|error| error.to_string())?;
             Ok(verdicts.iter().map(|(verdict, _)| place(*verdict)).collect())
         })

@@ -75,6 +75,7 @@ impl Draft {
         self.check_environment_rate()?;
         self.check_tables()?;
         self.check_scalar()?;
+        self.check_signal()?;
         Ok(Scene(self))
     }
 
@@ -115,6 +116,26 @@ impl Draft {
         }
         check_single(self)?;
         self.lost_rest().map_or(Ok(()), |(key, value)| Err(lost(key, value)))
+    }
+
+    /// Checks that this program has the loop of the signal at the port.
+    #[cfg(feature = "every-signal")]
+    fn check_signal(&self) -> Result<(), Conflict> {
+        Ok(())
+    }
+
+    #[cfg(not(feature = "every-signal"))]
+    fn check_signal(&self) -> Result<(), Conflict> {
+        let remedy = "run it with the command `lyapunov`";
+        if self.dimensions() > 1 {
+            let problem = "this program has one axis, and the scene is in a space";
+            return Err(Conflict::new("space.dimensions", problem, remedy));
+        }
+        if self.scalar == Scalar::F32 {
+            let problem = "this program computes in f64 only";
+            return Err(Conflict::new("scalar", problem, remedy));
+        }
+        Ok(())
     }
 
     /// The conflict for a parameter that a block of the loop rejected.
