@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# The fuzz targets under libFuzzer with the address sanitizer (docs/fuzzing.md).
-#   run.sh TARGET MINUTES [JOBS]   steps or poses; a found case is left in fuzz/artifacts/TARGET
+# The fuzz targets (docs/fuzzing.md).
+#   run.sh                         each over random bytes that are the same every time; not the readers, which the tests of cli have
+#   run.sh TARGET MINUTES [JOBS]   steps, poses or readers, under libFuzzer with the address sanitizer; a case that it finds is
+#                                  left in artifacts/TARGET
 #   run.sh coverage                which regions of the steps the random test of `cargo test` executes
-# It installs cargo-fuzz where it is missing.
+# It installs cargo-fuzz where it is needed and missing.
 set -euo pipefail
 cd "$(dirname "$0")"
-target=${1:?"a target, or coverage"}
+target=${1:-tests}
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$PWD/../target}
 
 coverage() {
@@ -29,10 +31,26 @@ coverage() {
         "$PWD/../stabilizers/src" "$PWD/../lyapunov-core/src" >"$out/lines.txt"
 }
 
-if [ "$target" = coverage ]; then coverage; exit; fi
+case $target in
+    tests) cargo test --quiet; exit ;;
+    coverage) coverage; exit ;;
+    steps | poses) folder=. ;;
+    readers) folder=readers ;;
+    *) echo "usage: fuzz/run.sh [coverage | steps|poses|readers MINUTES [JOBS]]"; exit 2 ;;
+esac
 minutes=${2:?"minutes"}
 jobs=${3:-1}
 command -v cargo-fuzz >/dev/null || cargo install --quiet cargo-fuzz
 # The sanitizer is an option that stable compilers hide.
-RUSTC_BOOTSTRAP=1 cargo fuzz run --fuzz-dir . --features libfuzzer "$target" -- \
+corpus=$folder/corpus/$target
+mkdir -p "$corpus"
+if [ "$target" = readers ] && [ -z "$(ls "$corpus")" ]; then
+    # The first byte chooses the reader: that of scenes, of models, of teleoperators, of logs.
+    for kind in 0:. 1:models 2:teleoperation 3:logs; do
+        for file in ../scenes/"${kind#*:}"/*.[ct]*; do
+            { printf "\\x0${kind%%:*}"; head -c 4000 "$file"; } >"$corpus/${kind%%:*}-$(basename "$file")"
+        done
+    done
+fi
+RUSTC_BOOTSTRAP=1 cargo fuzz run --fuzz-dir "$folder" --features libfuzzer "$target" -- \
     -max_total_time=$((minutes * 60)) -max_len=4096 -print_final_stats=1 -fork="$jobs"

@@ -48,4 +48,12 @@ impl Bench {
             Err(error) => End::input(error).report(),
         }
     }
+
+    /// Whether `words`, the first of them the program's name, ask for a command, without running it.
+    ///
+    /// # Errors
+    /// The text that the command would print: what is wrong with them, or the help that they ask for.
+    pub fn understands(&self, words: impl IntoIterator<Item = OsString>) -> Result<(), String> {
+        commands::understand(words)
+    }
 }

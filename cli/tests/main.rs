@@ -7,6 +7,9 @@ mod contract;
 mod effects;
 mod models;
 mod observe;
+// The bodies of a fuzz target, which the tests below run over changed files.
+#[path = "../../fuzz/readers/src/readers.rs"]
+mod readers;
 mod shipped;
 mod teleoperation;
 mod verdicts;

@@ -106,10 +106,7 @@ fn within<V: Signal<Scalar: Real>>(
 }
 
 /// On no axis the force added points along the motion.
-fn opposes<V: Signal<Scalar: Real>>(
-    tick: &Tick<V>,
-    told: &Correction<V>,
-) -> Option<&'static str> {
+fn opposes<V: Signal<Scalar: Real>>(tick: &Tick<V>, told: &Correction<V>) -> Option<&'static str> {
     let zero = V::Scalar::of(0.0);
     every(tick, told, |asked, velocity, given| {
         (velocity < zero || given >= asked) && (velocity > zero || given <= asked)

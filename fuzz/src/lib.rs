@@ -20,11 +20,8 @@ pub fn steps(bytes: &[u8]) {
     let [index, scalar, rest @ ..] = bytes else { return };
     let mut rest = Bytes::of(rest);
     // What a constructor refuses is not driven.
-    let _refused = if scalar % 2 == 0 {
-        run::<f64>(*index, &mut rest)
-    } else {
-        run::<f32>(*index, &mut rest)
-    };
+    let _refused =
+        if scalar % 2 == 0 { run::<f64>(*index, &mut rest) } else { run::<f32>(*index, &mut rest) };
 }
 
 fn run<T: Real>(index: u8, bytes: &mut Bytes<'_>) -> Driven {

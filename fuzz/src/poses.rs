@@ -1,9 +1,8 @@
 //! Fuzz of the arithmetic of poses, and of readings of them.
 
 use lyapunov_core::{
-    Axes, BodyAxes, CheckedSample, Clocked, Differenced, Jacobian, Pose, PoseTrack,
-    PortSample, Poses, Reading, Readings, Scalar, Screw, Signal, Snapshot, TaskPort, WithPose,
-    WorldAxes,
+    Axes, BodyAxes, CheckedSample, Clocked, Differenced, Jacobian, PortSample, Pose, PoseTrack,
+    Poses, Reading, Readings, Scalar, Screw, Signal, Snapshot, TaskPort, WithPose, WorldAxes,
 };
 use nalgebra::{Quaternion, UnitQuaternion, Vector2, Vector3};
 

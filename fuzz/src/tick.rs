@@ -40,7 +40,8 @@ impl<V: Signal<Scalar: Real>> Tick<V> {
         let changed = bytes.byte();
         let Self { sample, asked } = self;
         let PortSample { period, position, velocity, displacement, applied, work } = sample;
-        let mut renewed = |bit: u8, old: V| if changed >> bit & 1 == 1 { signal(bytes) } else { old };
+        let mut renewed =
+            |bit: u8, old: V| if changed >> bit & 1 == 1 { signal(bytes) } else { old };
         let [position, velocity, displacement, applied, asked] =
             [(1, position), (2, velocity), (3, displacement), (4, applied), (5, asked)]
                 .map(|(bit, old)| renewed(bit, old));

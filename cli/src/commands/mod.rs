@@ -117,6 +117,11 @@ pub(crate) fn run(own: &[&str], words: Vec<OsString>) -> u8 {
     }
 }
 
+/// Whether `words` ask for a command that ships; what is wrong with them if not.
+pub(crate) fn understand(words: impl IntoIterator<Item = OsString>) -> Result<(), String> {
+    Command::try_parse_from(words).map(drop).map_err(|error| error.to_string())
+}
+
 /// The name of the binary that ships.
 const SHIPPED: &str = "lyapunov";
 
