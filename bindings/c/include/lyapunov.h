@@ -14104,9 +14104,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32, tag) == 0, lyapunov_wave_t
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32, kept) == 4, lyapunov_wave_transform_f32_kept);
 typedef struct lyapunov_wave_transform_f32_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_transform_f32_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32_memory) == 0, lyapunov_wave_transform_f32_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32_memory) == 4, lyapunov_wave_transform_f32_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32_memory, word) == 0, lyapunov_wave_transform_f32_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14146,9 +14146,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64, tag) == 0, lyapunov_wave_t
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64, kept) == 8, lyapunov_wave_transform_f64_kept);
 typedef struct lyapunov_wave_transform_f64_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_transform_f64_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64_memory) == 0, lyapunov_wave_transform_f64_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64_memory) == 8, lyapunov_wave_transform_f64_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64_memory, word) == 0, lyapunov_wave_transform_f64_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14188,9 +14188,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3, tag) == 0, lyapunov_wave
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3, kept) == 4, lyapunov_wave_transform_f32x3_kept);
 typedef struct lyapunov_wave_transform_f32x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_transform_f32x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x3_memory) == 0, lyapunov_wave_transform_f32x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x3_memory) == 4, lyapunov_wave_transform_f32x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3_memory, word) == 0, lyapunov_wave_transform_f32x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14230,9 +14230,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3, tag) == 0, lyapunov_wave
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3, kept) == 8, lyapunov_wave_transform_f64x3_kept);
 typedef struct lyapunov_wave_transform_f64x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_transform_f64x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x3_memory) == 0, lyapunov_wave_transform_f64x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x3_memory) == 8, lyapunov_wave_transform_f64x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3_memory, word) == 0, lyapunov_wave_transform_f64x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14272,9 +14272,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6, tag) == 0, lyapunov_wave
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6, kept) == 4, lyapunov_wave_transform_f32x6_kept);
 typedef struct lyapunov_wave_transform_f32x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_transform_f32x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x6_memory) == 0, lyapunov_wave_transform_f32x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x6_memory) == 4, lyapunov_wave_transform_f32x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6_memory, word) == 0, lyapunov_wave_transform_f32x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14314,9 +14314,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6, tag) == 0, lyapunov_wave
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6, kept) == 8, lyapunov_wave_transform_f64x6_kept);
 typedef struct lyapunov_wave_transform_f64x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_transform_f64x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x6_memory) == 0, lyapunov_wave_transform_f64x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x6_memory) == 8, lyapunov_wave_transform_f64x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6_memory, word) == 0, lyapunov_wave_transform_f64x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14356,9 +14356,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw, tag) == 0, lyapunov_w
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw, kept) == 4, lyapunov_wave_transform_f32screw_kept);
 typedef struct lyapunov_wave_transform_f32screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_transform_f32screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32screw_memory) == 0, lyapunov_wave_transform_f32screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32screw_memory) == 4, lyapunov_wave_transform_f32screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw_memory, word) == 0, lyapunov_wave_transform_f32screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14398,9 +14398,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw, tag) == 0, lyapunov_w
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw, kept) == 8, lyapunov_wave_transform_f64screw_kept);
 typedef struct lyapunov_wave_transform_f64screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_transform_f64screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64screw_memory) == 0, lyapunov_wave_transform_f64screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64screw_memory) == 8, lyapunov_wave_transform_f64screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw_memory, word) == 0, lyapunov_wave_transform_f64screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14727,9 +14727,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32, tag) == 0, lyapunov_wave_fo
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32, kept) == 4, lyapunov_wave_follower_f32_kept);
 typedef struct lyapunov_wave_follower_f32_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_follower_f32_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32_memory) == 0, lyapunov_wave_follower_f32_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32_memory) == 4, lyapunov_wave_follower_f32_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_memory, word) == 0, lyapunov_wave_follower_f32_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14771,9 +14771,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64, tag) == 0, lyapunov_wave_fo
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64, kept) == 8, lyapunov_wave_follower_f64_kept);
 typedef struct lyapunov_wave_follower_f64_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_follower_f64_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64_memory) == 0, lyapunov_wave_follower_f64_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64_memory) == 8, lyapunov_wave_follower_f64_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_memory, word) == 0, lyapunov_wave_follower_f64_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14815,9 +14815,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3, tag) == 0, lyapunov_wave_
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3, kept) == 4, lyapunov_wave_follower_f32x3_kept);
 typedef struct lyapunov_wave_follower_f32x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_follower_f32x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x3_memory) == 0, lyapunov_wave_follower_f32x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x3_memory) == 4, lyapunov_wave_follower_f32x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_memory, word) == 0, lyapunov_wave_follower_f32x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14859,9 +14859,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3, tag) == 0, lyapunov_wave_
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3, kept) == 8, lyapunov_wave_follower_f64x3_kept);
 typedef struct lyapunov_wave_follower_f64x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_follower_f64x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x3_memory) == 0, lyapunov_wave_follower_f64x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x3_memory) == 8, lyapunov_wave_follower_f64x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_memory, word) == 0, lyapunov_wave_follower_f64x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14903,9 +14903,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6, tag) == 0, lyapunov_wave_
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6, kept) == 4, lyapunov_wave_follower_f32x6_kept);
 typedef struct lyapunov_wave_follower_f32x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_follower_f32x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x6_memory) == 0, lyapunov_wave_follower_f32x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32x6_memory) == 4, lyapunov_wave_follower_f32x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_memory, word) == 0, lyapunov_wave_follower_f32x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14947,9 +14947,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6, tag) == 0, lyapunov_wave_
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6, kept) == 8, lyapunov_wave_follower_f64x6_kept);
 typedef struct lyapunov_wave_follower_f64x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_follower_f64x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x6_memory) == 0, lyapunov_wave_follower_f64x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64x6_memory) == 8, lyapunov_wave_follower_f64x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_memory, word) == 0, lyapunov_wave_follower_f64x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -14991,9 +14991,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw, tag) == 0, lyapunov_wa
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw, kept) == 4, lyapunov_wave_follower_f32screw_kept);
 typedef struct lyapunov_wave_follower_f32screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[0];
+    uint32_t word[1];
 } lyapunov_wave_follower_f32screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32screw_memory) == 0, lyapunov_wave_follower_f32screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f32screw_memory) == 4, lyapunov_wave_follower_f32screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_memory, word) == 0, lyapunov_wave_follower_f32screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -15035,9 +15035,9 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw, tag) == 0, lyapunov_wa
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw, kept) == 8, lyapunov_wave_follower_f64screw_kept);
 typedef struct lyapunov_wave_follower_f64screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[0];
+    uint64_t word[1];
 } lyapunov_wave_follower_f64screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64screw_memory) == 0, lyapunov_wave_follower_f64screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_wave_follower_f64screw_memory) == 8, lyapunov_wave_follower_f64screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_memory, word) == 0, lyapunov_wave_follower_f64screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */

@@ -42,11 +42,14 @@ impl<V: Port> Default for WaveForm<V> {
 pub struct Fixed<B>(pub B);
 
 impl<B> Snapshot for Fixed<B> {
-    type State = ();
+    /// One word that says nothing: C has no empty structs.
+    type State = u32;
 
-    fn state(&self) {}
+    fn state(&self) -> u32 {
+        0
+    }
 
-    fn restored(self, _state: ()) -> Result<Self, ParameterError> {
+    fn restored(self, _state: u32) -> Result<Self, ParameterError> {
         Ok(self)
     }
 }

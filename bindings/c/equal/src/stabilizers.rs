@@ -10,9 +10,8 @@ use lyapunov::stabilizers::{
     WindowedCredit,
 };
 use lyapunov::{
-    CheckedSample, DampingLimit, Dissipation, Lolc, LyapunovCandidate, MovingReading, Observer,
-    ParameterError, Popc, PortEnergy, PortSample, Reading, Readings, Scalar, Signal, Stabilizer,
-    StorageFunction,
+    DampingLimit, Dissipation, Lolc, LyapunovCandidate, ParameterError, Popc, PortEnergy,
+    PortSample, Scalar, Signal, Stabilizer, StorageFunction,
 };
 use nalgebra::{SVector, Vector3, Vector6};
 
@@ -31,7 +30,7 @@ pub(crate) fn inner<T: Scalar>() -> Result<Inner<T>, ParameterError> {
 
 /// Every tick of a stabilizer; `beside` is what is called once a tick after it.
 pub(crate) fn run_with<V: Named, S: Stabilizer<V>>(
-    pub(crate) ticks: u64,
+    ticks: u64,
     name: &str,
     mut stabilizer: S,
     mut beside: impl FnMut(&mut Run, &mut S),

@@ -17,7 +17,11 @@ use crate::stabilizers::inner;
 type OfPoses<T> = Readings<WithPose<T>, Differenced, Steady, Poses<T>>;
 
 /// Every tick of readings: `read` is told the time, the position, the velocity and the applied effort.
-pub(crate) fn read<V: Named>(ticks: u64, name: &str, mut read: impl FnMut(f64, V, V, V) -> CheckedSample<V>) {
+pub(crate) fn read<V: Named>(
+    ticks: u64,
+    name: &str,
+    mut read: impl FnMut(f64, V, V, V) -> CheckedSample<V>,
+) {
     let mut run = Run::begin(ticks);
     let mut now = 0.0;
     for _ in 0..run.ticks {
@@ -136,7 +140,7 @@ pub(crate) fn asked(ticks: u64) -> Done {
             let (one, other): (V, V) = (run.signal(MOST[1]), run.signal(MOST[3]));
             let ((there, back), (flow, effort)) = (wave.encode(one, other), wave.decode(one, other));
             let ((driven, sent), (moved, returned)) = (wave.effort(one, other), wave.flow(one, other));
-            [there, back, flow, effort, driven, sent, moved, returned].map(|it| run.tell_all(it));
+            [there, back, flow, effort, driven, sent, moved, returned].into_iter().for_each(|it| run.tell_all(it));
         }
         run.end("wave_transform", V::NAME)
     });
@@ -156,7 +160,7 @@ pub(crate) fn asked(ticks: u64) -> Done {
             let (there, error, velocity): (V, V, V) =
                 (run.signal(MOST[3]), run.signal(MOST[0]), run.signal(MOST[1]));
             let following = follower.follow(there, error, velocity);
-            [following.flow, following.effort, following.back].map(|it| run.tell_all(it));
+            [following.flow, following.effort, following.back].into_iter().for_each(|it| run.tell_all(it));
         }
         run.end("wave_follower", V::NAME)
     });
@@ -183,8 +187,8 @@ pub(crate) fn asked(ticks: u64) -> Done {
         }
         let told = meter.summary();
         run.hash(told.ticks);
-        [told.active, told.rejected, told.now, told.least, told.most].map(|it| run.tell(it));
-        [told.injected, told.absorbed, told.shortfall, told.largest_shortfall].map(|it| run.tell(it));
+        [told.active, told.rejected, told.now, told.least, told.most].into_iter().for_each(|it| run.tell(it));
+        [told.injected, told.absorbed, told.shortfall, told.largest_shortfall].into_iter().for_each(|it| run.tell(it));
         run.end("energy_meter", V::NAME)
     });
     Ok(())
