@@ -9,13 +9,15 @@ out=${1:-$target/web/index.html}
 tools=$target/web/tools
 
 rustup target add wasm32-unknown-unknown >/dev/null 2>&1 || true
-if [ ! -d "$tools/node_modules/axe-core" ]; then
+if [ ! -d "$tools/node_modules/axe-core" ] || [ ! -d "$tools/node_modules/binaryen" ]; then
     mkdir -p "$tools"
-    (cd "$tools" && npm install --silent --no-audit --no-fund --no-save esbuild@0.28 axe-core@4)
+    (cd "$tools" && npm install --silent --no-audit --no-fund --no-save esbuild@0.28 axe-core@4 binaryen)
 fi
 
-# Browsers that can inflate the module (DecompressionStream) have simd128 as well.
-RUSTFLAGS="-C target-feature=+simd128" cargo build --quiet --release --manifest-path "$here/Cargo.toml" \
+# The places of panics name files: not those of the machine that built it.
+places="--remap-path-prefix=$(cd "$here/.." && pwd)= --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}/registry/src= --remap-path-prefix=$(rustc --print sysroot)="
+# The names that functions keep until they are packed tell what each part takes.
+RUSTFLAGS="-C target-feature=+simd128 -C symbol-mangling-version=v0 $places" cargo build --quiet --release --manifest-path "$here/Cargo.toml" \
     --target wasm32-unknown-unknown --target-dir "$target/web/cargo" --lib
 built=$target/web/cargo/wasm32-unknown-unknown/release/lyapunov_web.wasm
-node "$here/build.mjs" "$built" "$tools/node_modules/esbuild" "$out"
+node "$here/build.mjs" "$built" "$tools/node_modules" "$out"

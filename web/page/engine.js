@@ -1,5 +1,7 @@
 // The Rust side: text or numbers in, text or numbers out.
 
+import { unpacked } from "./lzma.js";
+
 const text = new TextEncoder();
 const words = new TextDecoder();
 
@@ -9,11 +11,11 @@ export const LIVE = { t: 0, x: 1, force: 2, damping: 3, energy: 4, width: 5 };
 /** Numbers before the rows of `trace`. */
 const HEAD = 7;
 
-/** The module inside the page: base64 of its deflated bytes. */
-export async function unpacked(packed) {
-  const bytes = Uint8Array.from(atob(packed), (it) => it.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+/** The module inside the page: its length, and base64 of its packed bytes. */
+export async function inside(text) {
+  const [length, base64] = text.split(" ");
+  const packed = Uint8Array.from(atob(base64), (it) => it.charCodeAt(0));
+  return WebAssembly.compile(unpacked(packed, Number(length)));
 }
 
 /** A refusal of the Rust side, in its words. */

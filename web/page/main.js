@@ -1,7 +1,7 @@
 // The page: one scene, three loops, and everything that follows from them.
 
 import { draw } from "./curves.js";
-import { Engine, LIVE, RUN, unpacked } from "./engine.js";
+import { Engine, LIVE, RUN, inside } from "./engine.js";
 import { Family } from "./family.js";
 import { Loops, SEEN } from "./loops.js";
 import { StabilityMap } from "./map.js";
@@ -215,7 +215,19 @@ function start(preset) {
   place();
 }
 
-function open(name, text) {
+/** Opens what was dropped: motions first, since a scene beside them names one. */
+function open(files) {
+  const isMotion = ({ text }) => /^\s*t\s*,\s*rest\s*$/m.test(text.split("\n", 1)[0]);
+  for (const { name, text } of files.filter(isMotion)) {
+    engine.bytes("keep", `${name}\n${text}`);
+    worker.postMessage({ kept: `${name}\n${text}` });
+    $("done").textContent = `${name} is a motion of the hand, kept for the scenes that name it.`;
+  }
+  for (const { name, text } of files.filter((it) => !isMotion(it))) opened(name, text);
+}
+
+/** Opens a scene, or observes a log. */
+function opened(name, text) {
   try {
     if (!/^\s*duration\s*=/m.test(text) && /[,;\t]/.test(text.split("\n", 1)[0])) {
       $("code").hidden = false;
@@ -340,7 +352,7 @@ async function begin(module, source) {
 if (globalThis.document === undefined) work();
 else {
   const source = $("program").textContent;
-  unpacked($("rust").textContent).then((module) => begin(module, source)).catch((error) => {
+  inside($("rust").textContent).then((module) => begin(module, source)).catch((error) => {
     $("fault").textContent = `This browser cannot run the page: ${error.message}`;
   });
 }

@@ -11,7 +11,7 @@ function save(name, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1e3);
 }
 
-/** Wires the buttons; `now` tells the scene and the stabilizer, `open` takes a dropped text. */
+/** Wires the buttons; `now` tells the scene and the stabilizer, `open` takes dropped files. */
 export function wire({ $, engine, now, open }) {
   const done = (text) => ($("done").textContent = text);
   const copy = async (text, what) => {
@@ -43,11 +43,11 @@ export function wire({ $, engine, now, open }) {
     });
     $("lines").append(button);
   }
-  const read = async (file) => file && open(file.name, await file.text());
-  $("open").addEventListener("change", () => read($("open").files[0]));
+  const read = async (files) => open(await Promise.all([...files].map(async (file) => ({ name: file.name, text: await file.text() }))));
+  $("open").addEventListener("change", () => read($("open").files));
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => {
     event.preventDefault();
-    read(event.dataTransfer.files[0]);
+    read(event.dataTransfer.files);
   });
 }

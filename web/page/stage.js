@@ -126,5 +126,5 @@ function arrow(c, x, y, lane, colours) {
   c.fillStyle = colours.ink;
   c.textAlign = "right";
   const said = `${Math.abs(lane.peak).toFixed(Math.abs(lane.peak) < 10 ? 1 : 0)} N`;
-  c.fillText(said, Math.max(c.measureText(said).width + 4, Math.min(x, x - long(lane.peak)) - 6), y + 4);
+  c.fillText(said, Math.max(c.measureText(said).width + 10, Math.min(x, x - long(lane.peak)) - 6), y + 4);
 }

@@ -7,6 +7,8 @@ const BAND = 4096;
 
 let engine = null;
 const newest = {};
+/** Recorded motions that scenes may name. */
+const kept = [];
 const breath = () => new Promise((done) => setTimeout(done));
 
 const jobs = {
@@ -55,8 +57,13 @@ export function work() {
       waiting.splice(0).forEach((it) => take({ data: it }));
       return;
     }
-    newest[data.kind] = data.id;
+    if (data.kind) newest[data.kind] = data.id;
     if (!engine) return void waiting.push(data);
+    if (data.kept) {
+      kept.push(data.kept);
+      engine.bytes("keep", data.kept);
+      return;
+    }
     const goes = () => newest[data.kind] === data.id;
     const tell = (told) => goes() && postMessage({ id: data.id, kind: data.kind, ...told });
     try {
@@ -64,7 +71,9 @@ export function work() {
     } catch (error) {
       tell({ refused: error.message });
       // A trap leaves the instance as it was in the middle of a call.
-      if (error instanceof WebAssembly.RuntimeError) engine = await Engine.of(engine.module);
+      if (!(error instanceof WebAssembly.RuntimeError)) return;
+      engine = await Engine.of(engine.module);
+      kept.forEach((it) => engine.bytes("keep", it));
     }
   };
   addEventListener("message", take);

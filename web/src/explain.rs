@@ -6,7 +6,6 @@ use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Rollout, Summary};
 
 use crate::exchange::{answer, bytes};
-use crate::run::in_double;
 use crate::scene::{parsed, stabilized};
 
 /// Explains a scene under the stabilizer in the first line of the input: the output is the hint of `run` on a line, then
@@ -20,7 +19,6 @@ pub extern "C" fn explain() -> u32 {
 }
 
 fn explained(scene: &Scene) -> Result<Vec<u8>, String> {
-    in_double(scene)?;
     let rollout = Rollout::<f64>::of(scene).map_err(|error| error.to_string())?;
     let summary = Summary::of(scene, rollout);
     let hint = Hint::of(&summary).to_string();

@@ -8,7 +8,6 @@ use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Assembly, Port};
 
 use crate::exchange::{answer, bytes};
-use crate::run::in_double;
 use crate::scene::stabilized;
 
 thread_local! {
@@ -27,7 +26,6 @@ struct Live {
 impl Live {
     /// The loop of `scene`, at standstill at `place`.
     fn of(scene: Scene, place: f64) -> Result<Self, String> {
-        in_double(&scene)?;
         let parts = Impedance {
             mass: scene.operator.mass.get() + scene.device.mass.get(),
             damping: scene.operator.damping.get() + scene.device.damping.get(),

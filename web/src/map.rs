@@ -7,7 +7,6 @@ use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::map::{Axis, BasicName, Grid, Instructions, Kernel, Lanes};
 
 use crate::exchange::answer;
-use crate::run::in_double;
 use crate::scene::{headed, parsed};
 
 thread_local! {
@@ -31,7 +30,6 @@ pub extern "C" fn chart() -> u32 {
         let name: StabilizerName = name.parse().map_err(|it| format!("{it}"))?;
         let name = name.basic_name().ok_or("the page maps POPC and LOLC only")?;
         let scene = parsed(rest)?;
-        in_double(&scene)?;
         let grid = Grid::new(scene, axis(x)?, axis(y)?, [name]).map_err(|it| it.to_string())?;
         let kernel = Kernel::of(&grid, Instructions::Base, Lanes::Many);
         let kernel = kernel.map_err(|error| error.to_string())?;

@@ -1,19 +1,10 @@
 //! Runs of a scene from its start.
 
-use lyapunov_lab::scene::{Scalar, Scene};
+use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{Csv, Rollout, Row, Summary, Verdict};
 
 use crate::exchange::{answer, bytes};
 use crate::scene::{parsed, stabilized};
-
-/// Refuses a scene that the page has no loop for: other signals at the port would take as many bytes again, each.
-pub(crate) fn in_double(scene: &Scene) -> Result<(), String> {
-    match (scene.scalar, scene.dimensions()) {
-        (Scalar::F64, 1) => Ok(()),
-        (Scalar::F32, _) => Err("the page computes in f64: leave `scalar` out".to_owned()),
-        _ => Err("the page has one axis: run a scene in a space with the command".to_owned()),
-    }
-}
 
 /// Runs a scene; the output is its rows, as the command `run` writes them.
 #[unsafe(no_mangle)]
@@ -25,7 +16,6 @@ pub extern "C" fn rows() -> u32 {
 }
 
 fn csv(scene: &Scene) -> Result<Vec<u8>, String> {
-    in_double(scene)?;
     let rollout = Rollout::<f64>::of(scene).map_err(|error| error.to_string())?;
     let written = || -> std::io::Result<Vec<u8>> {
         let mut csv = Csv::of(Vec::new(), scene)?;
@@ -52,7 +42,6 @@ pub extern "C" fn trace() -> u32 {
 }
 
 fn traced(scene: &Scene) -> Result<Vec<u8>, String> {
-    in_double(scene)?;
     let mut summary = Summary::new(scene);
     let mut rows = Vec::new();
     for tick in Rollout::<f64>::of(scene).map_err(|error| error.to_string())? {

@@ -1,5 +1,10 @@
 //! Scenes as the page sends them.
 
+use std::cell::RefCell;
+use std::io::{self, Cursor, Read};
+use std::path::Path;
+use std::rc::Rc;
+
 use lyapunov_lab::Scene;
 use lyapunov_lab::family::StabilizerName;
 
@@ -8,9 +13,39 @@ use crate::exchange::answer;
 /// Name of the page's scene in a message.
 const NAME: &str = "the scene";
 
+thread_local! {
+    /// Files that scenes may name, by their own names.
+    static KEPT: RefCell<Vec<(String, Rc<[u8]>)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Keeps the file below the first line of the input, which is its name, for the scenes that name it.
+#[unsafe(no_mangle)]
+pub extern "C" fn keep() -> u32 {
+    answer(|text| {
+        let (name, text) = headed(text);
+        KEPT.with_borrow_mut(|kept| {
+            kept.retain(|(other, _)| other != name);
+            kept.push((name.to_owned(), text.as_bytes().into()));
+        });
+        Ok(Vec::new())
+    })
+}
+
+/// The kept file that `path` ends in.
+fn opened(path: &Path) -> io::Result<Box<dyn Read>> {
+    let found = KEPT.with_borrow(|kept| {
+        let found = kept.iter().find(|(name, _)| path.file_name().is_some_and(|it| it == &**name));
+        found.map(|(_, bytes)| Rc::clone(bytes))
+    });
+    match found {
+        Some(bytes) => Ok(Box::new(Cursor::new(bytes))),
+        None => Err(io::Error::other("drop it here first, or together with the scene")),
+    }
+}
+
 /// The scene in `text`.
 pub(crate) fn parsed(text: &str) -> Result<Scene, String> {
-    Scene::parse(text, NAME).map_err(|fault| fault.to_string())
+    Scene::parse_beside(text, NAME, &opened).map_err(|fault| fault.to_string())
 }
 
 /// The first line of an input, and the rest of it.
@@ -34,7 +69,9 @@ pub(crate) fn stabilized(text: &str) -> Result<Scene, String> {
 pub extern "C" fn read() -> u32 {
     answer(|text| {
         let scene = parsed(text)?;
-        serde_json::to_vec(&scene).map_err(|error| error.to_string())
+        // By way of the tree that maps are made of, so that a scene is serialized by one code.
+        let tree = toml::Value::try_from(&scene).map_err(|error| error.to_string())?;
+        serde_json::to_vec(&tree).map_err(|error| error.to_string())
     })
 }
 

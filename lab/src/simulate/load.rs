@@ -1,12 +1,14 @@
 //! Loading of checked files: a file whose parts are each right is right if its loop can be built.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
 use super::building::{Assembly, in_space};
 use super::{models, teleoperation};
 use crate::files::models::{self as model_files, Model};
 use crate::files::scene::{
-    self, Basis, Conflict, Diagnostic, Draft, Keys, MODEL, Scalar, Scene, TELEOPERATOR,
+    self, Basis, Conflict, Diagnostic, Draft, Keys, MODEL, Open, Scalar, Scene, TELEOPERATOR,
 };
 use crate::files::teleoperation::{self as teleoperator_files, Teleoperator};
 use crate::text::names::Named;
@@ -38,7 +40,19 @@ impl Scene {
     /// # Errors
     /// The first broken rule, with its place and what would be right.
     pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
-        parse(text, name, Path::new(""))
+        Self::parse_beside(text, name, &on_disk)
+    }
+
+    /// The same where there are no files: `open` gives the contents of those that the scene names.
+    ///
+    /// # Errors
+    /// Those of [`Scene::parse`].
+    pub fn parse_beside(
+        text: &str,
+        name: &str,
+        open: &dyn Fn(&Path) -> io::Result<Box<dyn Read>>,
+    ) -> Result<Self, Diagnostic> {
+        parse(text, name, Path::new(""), open)
     }
 
     /// Reads a scene from a file of at most 1 MiB.
@@ -51,8 +65,8 @@ impl Scene {
 }
 
 /// Reads a scene as [`Scene::parse`] does, with the files that it names in `folder`.
-fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diagnostic> {
-    scene::read(&scene::BOOK, text, name, |keys| checked(keys, folder)).map_err(|fault| {
+fn parse(text: &str, name: &str, folder: &Path, open: Open<'_>) -> Result<Scene, Diagnostic> {
+    scene::read(&scene::BOOK, text, name, |keys| checked(keys, folder, open)).map_err(|fault| {
         let Some(kind) = [MODEL, TELEOPERATOR].into_iter().find(|kind| kind.is_in(text)) else {
             return fault;
         };
@@ -61,15 +75,21 @@ fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, Diagnostic> {
     })
 }
 
-fn checked(keys: Keys, folder: &Path) -> Result<Scene, Conflict> {
+/// A file of the disk.
+fn on_disk(path: &Path) -> io::Result<Box<dyn Read>> {
+    Ok(Box::new(File::open(path)?))
+}
+
+fn checked(keys: Keys, folder: &Path, open: Open<'_>) -> Result<Scene, Conflict> {
     let mut draft = Draft::try_from(keys)?;
-    draft.read_motion(folder)?;
+    draft.read_motion(folder, open)?;
     draft.check()
 }
 
 /// Reads the scene in `text`, the contents of the file at `path`.
 fn parse_at(text: &str, path: &Path) -> Result<Scene, Diagnostic> {
-    parse(text, &path.display().to_string(), path.parent().unwrap_or(Path::new("")))
+    let folder = path.parent().unwrap_or(Path::new(""));
+    parse(text, &path.display().to_string(), folder, &on_disk)
 }
 
 impl Model {

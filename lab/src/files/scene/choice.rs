@@ -4,17 +4,16 @@ use serde::de::value::StrDeserializer;
 use serde::de::{
     DeserializeSeed, Deserializer, EnumAccess, IntoDeserializer, VariantAccess, Visitor,
 };
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
 
 use super::fault::{Fault, Found, Place, Problem};
-use super::reader::{Reader, found, in_order};
+use super::node::{Entry, Item};
+use super::reader::{Reader, found};
 
 /// One word from several, or one table from several with its content.
 pub(super) struct Choice<'tree, 'text> {
     word: &'tree str,
     place: Place,
-    content: Option<&'tree Spanned<DeValue<'text>>>,
+    content: Option<Item<'tree, 'text>>,
 }
 
 impl<'tree, 'text> Choice<'tree, 'text> {
@@ -25,24 +24,23 @@ impl<'tree, 'text> Choice<'tree, 'text> {
 
     /// The only entry of a table that chooses among several things.
     pub(super) fn only_entry(
-        table: &'tree DeTable<'text>,
+        entries: &[Entry<'tree, 'text>],
         place: &Place,
         known: &'static [&'static str],
     ) -> Result<Self, Fault> {
-        let entries = in_order(table);
-        let known_there = entries.iter().any(|(key, _)| known.contains(&key.get_ref().as_ref()));
-        match entries.as_slice() {
+        let known_there = entries.iter().any(|entry| known.contains(&entry.name));
+        match entries {
             [] => Err(Fault::new(Problem::NoneChosen { known }).at(place)),
-            [_, (second, _), ..] if known_there => {
-                let chosen = entries.iter().map(|(key, _)| key.get_ref().to_string());
+            [_, second, ..] if known_there => {
+                let chosen = entries.iter().map(|entry| entry.name.to_owned());
                 let problem = Problem::SeveralChosen { chosen: chosen.collect(), known };
-                Err(Fault::new(problem).at(&place.spanning(second.span())))
+                Err(Fault::new(problem).at(&place.spanning(second.span.clone())))
             }
             // Of several unknown names the first is reported: most likely they are keys of an inner table.
-            [(key, value), ..] => Ok(Self {
-                word: key.get_ref(),
-                place: place.child(key.get_ref(), key.span()),
-                content: Some(value),
+            [Entry { name, span, value }, ..] => Ok(Self {
+                word: name,
+                place: place.child(name, span.clone()),
+                content: Some(value.clone()),
             }),
         }
     }
@@ -75,7 +73,7 @@ impl<'tree> VariantAccess<'tree> for Choice<'tree, '_> {
             None => Ok(()),
             Some(content) => Err(Fault::new(Problem::WrongKind {
                 expected: "a word in quotes",
-                found: found(content.get_ref()),
+                found: found(&content.node.content()),
             })
             .at(&self.place)),
         }
@@ -89,9 +87,8 @@ impl<'tree> VariantAccess<'tree> for Choice<'tree, '_> {
             })
             .at(&self.place));
         };
-        let place = self.place.spanning(content.span());
-        seed.deserialize(Reader::new(content.get_ref(), place.clone()))
-            .map_err(|fault| fault.at(&place))
+        let place = self.place.spanning(content.span);
+        seed.deserialize(Reader::new(content.node, place.clone())).map_err(|fault| fault.at(&place))
     }
 
     fn tuple_variant<V: Visitor<'tree>>(

@@ -8,7 +8,8 @@ use toml::de::{DeTable, DeValue};
 use super::book::Book;
 use super::check::Conflict;
 use super::diagnostic::Diagnostic;
-use super::fault::Place;
+use super::fault::{Fault, Place};
+use super::node::Node;
 use super::reader::Reader;
 use super::{explain, syntax};
 use crate::text::shorten;
@@ -31,9 +32,20 @@ where
         return Err(Diagnostic::new(name, format!("the {noun} is empty"))
             .with_help(format!("the smallest {noun} is:\n{smallest}")));
     }
-    let keys = Keys::deserialize(Reader::new(&root, Place::default()))
+    let keys = Keys::deserialize(Reader::new(Node::Read(&root), Place::default()))
         .map_err(|fault| explain::explain(book, fault, text, name))?;
     checked(keys).map_err(|conflict| place(&conflict, &root, text, name))
+}
+
+/// The keys in a tree that was made, such as one of a scene with a number replaced.
+///
+/// # Errors
+/// The first fault, in words.
+pub(crate) fn read_made<Keys>(tree: &toml::Value) -> Result<Keys, String>
+where
+    Keys: for<'tree> Deserialize<'tree>,
+{
+    Keys::deserialize(Reader::new(Node::Made(tree), Place::default())).map_err(Fault::into_words)
 }
 
 /// Whether the text has one of these `keys` at its top level, as far as a broken text can be parsed.

@@ -85,12 +85,11 @@ fn unknown_key(
 /// The tables to which a misplaced key belongs, in words.
 fn home(book: &Book, place: &Place) -> Option<String> {
     let path = place.path();
-    let mut homes: Vec<&Key> =
-        book.all().filter(|key| key.name() == place.name && key.path != path).collect();
+    let homes = book.all().filter(|key| key.name() == place.name && key.path != path);
     // A misplaced key most likely belongs to an inner table of the one it stands in.
     let within = format!("{}.", place.table);
-    homes.sort_by_key(|key| !key.path.starts_with(&within));
-    homes.truncate(MOST_HOMES);
+    let (inner, outer): (Vec<&Key>, Vec<_>) = homes.partition(|key| key.path.starts_with(&within));
+    let homes: Vec<_> = inner.into_iter().chain(outer).take(MOST_HOMES).collect();
     let first = homes.first()?;
     let name = first.name();
     if first.is_table() {

@@ -84,6 +84,19 @@ impl Fault {
         let (problem, place) = *self.0;
         (problem, place.unwrap_or_default())
     }
+
+    /// The fault in words that follow the name of its key, where there is no text to show.
+    pub(super) fn into_words(self) -> String {
+        let (problem, place) = self.into_parts();
+        match problem {
+            Problem::Refused { sentence } => sentence,
+            Problem::UnknownKey { known } => {
+                format!("there is no key `{}`; known: {}", place.path(), known.join(", "))
+            }
+            Problem::WrongKind { expected, .. } => format!("must be {expected}"),
+            _ => format!("`{}` is wrong", place.path()),
+        }
+    }
 }
 
 impl fmt::Display for Fault {

@@ -1,5 +1,7 @@
 //! The keys of scene files for messages: the unit and a correct example line of each.
 
+use toml::de::DeTable;
+
 use super::book::{Book, Key, count, joined, key};
 use super::{environments, stabilizers};
 
@@ -122,8 +124,8 @@ pub(crate) fn is_number(key: &str) -> bool {
 
 /// Whether `key` is a number that is whole in its example.
 pub(crate) fn is_whole(key: &str) -> bool {
-    let example = BOOK.find(key).and_then(|key| key.example.parse::<toml::Table>().ok());
-    example.is_some_and(|it| it.values().any(toml::Value::is_integer))
+    let example = BOOK.find(key).and_then(|key| DeTable::parse(key.example).ok());
+    example.is_some_and(|it| it.get_ref().values().any(|value| value.get_ref().is_integer()))
 }
 
 /// The unit of a key of a scene; empty if it has none.

@@ -47,6 +47,7 @@ mod keys;
 mod lanes;
 mod load;
 mod motion;
+mod node;
 mod number;
 mod operator;
 mod parts;
@@ -66,7 +67,7 @@ pub(crate) use check::{check_single, check_ticks};
 pub use coordinates::Coordinates;
 pub(crate) use damping::Damping;
 pub use diagnostic::Diagnostic;
-pub(crate) use document::read;
+pub(crate) use document::{read, read_made};
 pub use draft::Draft;
 pub use effects::{
     Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
@@ -77,6 +78,7 @@ pub use integrator::Integrator;
 pub(crate) use keys::{BOOK, is_number, is_whole, unit};
 pub use lanes::Lanes;
 pub(crate) use load::{MODEL, TELEOPERATOR, text_of};
+pub(crate) use motion::Open;
 pub use operator::{Grip, Motion, Operator};
 pub use parts::{Device, Initial, Link, Scalar, Space, Velocity};
 pub use quantity::{

@@ -1,7 +1,6 @@
 //! Recorded motions of the operator's hand.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -20,14 +19,17 @@ const KEY: &str = "operator.motion.path";
 
 const EXPECTED: &str = "a motion is CSV with the columns t,rest in s and m, t increasing";
 
+/// Opener of the files that scenes name.
+pub(crate) type Open<'a> = &'a dyn Fn(&Path) -> io::Result<Box<dyn Read>>;
+
 impl Draft {
     /// Reads the recorded motion that the scene names, if it names one; its path is relative to `folder`.
-    pub(crate) fn read_motion(&mut self, folder: &Path) -> Result<(), Conflict> {
+    pub(crate) fn read_motion(&mut self, folder: &Path, open: Open<'_>) -> Result<(), Conflict> {
         let Some(Motion::File { path, samples }) = &mut self.operator.motion else {
             return Ok(());
         };
         *path = folder.join(&*path);
-        *samples = read(path).map_err(|problem| Conflict::new(KEY, problem, EXPECTED))?;
+        *samples = read(path, open).map_err(|problem| Conflict::new(KEY, problem, EXPECTED))?;
         Ok(())
     }
 
@@ -47,16 +49,12 @@ impl Draft {
     }
 }
 
-fn read(path: &Path) -> Result<Arc<[(f64, f64)]>, String> {
+fn read(path: &Path, open: Open<'_>) -> Result<Arc<[(f64, f64)]>, String> {
     let shown: String = path.display().to_string().chars().map(printable).collect();
     let refused = |error| format!("`{shown}` cannot be read: {error}");
     let too_large = || format!("`{shown}` is too large for a motion: more than {LIMIT} bytes");
-    let file = File::open(path).map_err(refused)?;
-    if file.metadata().is_ok_and(|metadata| metadata.len() > LIMIT) {
-        return Err(too_large());
-    }
     // A device reports no size: reading one byte beyond the limit detects it.
-    let mut lines = BufReader::new(file.take(LIMIT + 1));
+    let mut lines = BufReader::new(open(path).map_err(refused)?.take(LIMIT + 1));
     let mut samples: Vec<(f64, f64)> = Vec::new();
     let (mut line, mut bytes, mut has_names) = (String::new(), 0, false);
     for number in 1_u64.. {

@@ -5,27 +5,25 @@ use std::vec;
 use serde::de::value::StrDeserializer;
 use serde::de::{DeserializeSeed, Deserializer, IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde::forward_to_deserialize_any;
-use toml::Spanned;
-use toml::de::{DeArray, DeString, DeTable, DeValue};
 
 use super::choice::Choice;
 use super::fault::{Fault, Found, Place, Problem};
-use super::number;
+use super::node::{Content, Entry, Item, Node, Whole};
 
 /// One value of the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Reader<'tree, 'text> {
-    value: &'tree DeValue<'text>,
+    node: Node<'tree, 'text>,
     place: Place,
 }
 
 impl<'tree, 'text> Reader<'tree, 'text> {
-    pub(super) fn new(value: &'tree DeValue<'text>, place: Place) -> Self {
-        Self { value, place }
+    pub(super) fn new(node: Node<'tree, 'text>, place: Place) -> Self {
+        Self { node, place }
     }
 
     fn wrong_kind(&self, expected: &'static str) -> Fault {
-        let found = found(self.value);
+        let found = found(&self.node.content());
         Fault::new(Problem::WrongKind { expected, found }).at(&self.place)
     }
 
@@ -38,10 +36,21 @@ impl<'tree, 'text> Reader<'tree, 'text> {
 
     fn visit_table<V: Visitor<'tree>>(
         self,
-        table: &'tree DeTable<'text>,
+        entries: Vec<Entry<'tree, 'text>>,
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        visitor.visit_map(Entries::new(table, &self.place)).map_err(|fault| fault.at(&self.place))
+        let place = self.place;
+        visitor
+            .visit_map(Entries { entries: entries.into_iter(), value: None, table: place.clone() })
+            .map_err(|fault| fault.at(&place))
+    }
+
+    fn visit_list<V: Visitor<'tree>>(
+        self,
+        items: Vec<Item<'tree, 'text>>,
+        visitor: V,
+    ) -> Result<V::Value, Fault> {
+        visitor.visit_seq(Items { items: items.into_iter().enumerate(), list: self.place })
     }
 }
 
@@ -49,27 +58,21 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
     type Error = Fault;
 
     fn deserialize_any<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value {
-            DeValue::String(text) => visitor.visit_str(text),
-            DeValue::Integer(whole) => match number::whole(whole) {
-                Some(whole) => visitor.visit_i64(whole),
-                None => Err(self.too_large()),
-            },
-            DeValue::Float(float) => match number::real_of_float(float) {
-                Some(real) => visitor.visit_f64(real),
-                None => Err(self.too_large()),
-            },
-            DeValue::Boolean(truth) => visitor.visit_bool(*truth),
-            DeValue::Datetime(_) => Err(self.wrong_kind("something other than a date")),
-            DeValue::Array(list) => visitor.visit_seq(Items::new(list, &self.place)),
-            DeValue::Table(table) => self.visit_table(table, visitor),
+        match self.node.content() {
+            Content::Text(text) => visitor.visit_str(text),
+            Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
+            Content::Real(Some(real)) => visitor.visit_f64(real),
+            Content::Whole(_) | Content::Real(None) => Err(self.too_large()),
+            Content::Truth(truth) => visitor.visit_bool(truth),
+            Content::Date => Err(self.wrong_kind("something other than a date")),
+            Content::List(items) => self.visit_list(items, visitor),
+            Content::Table(entries) => self.visit_table(entries, visitor),
         }
     }
 
     fn deserialize_f64<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        let real = match self.value {
-            DeValue::Integer(whole) => number::real_of_integer(whole),
-            DeValue::Float(float) => number::real_of_float(float),
+        let real = match self.node.content() {
+            Content::Whole(Whole { real, .. }) | Content::Real(real) => real,
             _ => return Err(self.wrong_kind("a number")),
         };
         match real {
@@ -83,35 +86,31 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
     }
 
     fn deserialize_i64<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value {
-            DeValue::Integer(whole) => match number::whole(whole) {
-                Some(whole) => visitor.visit_i64(whole),
-                None => Err(self.too_large()),
-            },
+        match self.node.content() {
+            Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
+            Content::Whole(_) => Err(self.too_large()),
             _ => Err(self.wrong_kind("a whole number")),
         }
     }
 
     fn deserialize_u64<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value {
-            DeValue::Integer(whole) => match number::natural(whole) {
-                Some(whole) => visitor.visit_u64(whole),
-                None => self.deserialize_i64(visitor),
-            },
+        match self.node.content() {
+            Content::Whole(Whole { natural: Some(whole), .. }) => visitor.visit_u64(whole),
+            Content::Whole(_) => self.deserialize_i64(visitor),
             _ => Err(self.wrong_kind("a whole number")),
         }
     }
 
     fn deserialize_bool<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value {
-            DeValue::Boolean(truth) => visitor.visit_bool(*truth),
+        match self.node.content() {
+            Content::Truth(truth) => visitor.visit_bool(truth),
             _ => Err(self.wrong_kind("true or false")),
         }
     }
 
     fn deserialize_str<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value {
-            DeValue::String(text) => visitor.visit_str(text),
+        match self.node.content() {
+            Content::Text(text) => visitor.visit_str(text),
             _ => Err(self.wrong_kind("a text in quotes")),
         }
     }
@@ -121,15 +120,15 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
     }
 
     fn deserialize_seq<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value {
-            DeValue::Array(list) => visitor.visit_seq(Items::new(list, &self.place)),
+        match self.node.content() {
+            Content::List(items) => self.visit_list(items, visitor),
             _ => Err(self.wrong_kind("a list")),
         }
     }
 
     fn deserialize_map<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
-        match self.value {
-            DeValue::Table(table) => self.visit_table(table, visitor),
+        match self.node.content() {
+            Content::Table(entries) => self.visit_table(entries, visitor),
             _ => Err(self.wrong_kind("a table")),
         }
     }
@@ -161,11 +160,11 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
         known: &'static [&'static str],
         visitor: V,
     ) -> Result<V::Value, Fault> {
-        let choice = match self.value {
-            DeValue::String(word) => Choice::word(word, &self.place),
-            DeValue::Table(table) => Choice::only_entry(table, &self.place, known)?,
+        let choice = match self.node.content() {
+            Content::Text(word) => Choice::word(word, &self.place),
+            Content::Table(entries) => Choice::only_entry(&entries, &self.place, known)?,
             other => {
-                let found = found(other);
+                let found = found(&other);
                 return Err(Fault::new(Problem::NotWord { known, found }).at(&self.place));
             }
         };
@@ -179,26 +178,15 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
 }
 
 /// The kind of a value.
-pub(super) fn found(value: &DeValue<'_>) -> Found {
+pub(super) fn found(value: &Content<'_, '_>) -> Found {
     match value {
-        DeValue::String(_) => Found::Value("the text"),
-        DeValue::Integer(_) | DeValue::Float(_) => Found::Value("the number"),
-        DeValue::Boolean(_) => Found::Value("the truth value"),
-        DeValue::Datetime(_) => Found::Value("the date or time"),
-        DeValue::Array(_) => Found::Structure("a list"),
-        DeValue::Table(_) => Found::Structure("a table"),
+        Content::Text(_) => Found::Value("the text"),
+        Content::Whole(_) | Content::Real(_) => Found::Value("the number"),
+        Content::Truth(_) => Found::Value("the truth value"),
+        Content::Date => Found::Value("the date or time"),
+        Content::List(_) => Found::Structure("a list"),
+        Content::Table(_) => Found::Structure("a table"),
     }
-}
-
-/// A key and its value.
-pub(super) type Entry<'tree, 'text> =
-    (&'tree Spanned<DeString<'text>>, &'tree Spanned<DeValue<'text>>);
-
-/// The entries in the order of the text, so that the first fault in the file is reported.
-pub(super) fn in_order<'tree, 'text>(table: &'tree DeTable<'text>) -> Vec<Entry<'tree, 'text>> {
-    let mut entries: Vec<_> = table.iter().collect();
-    entries.sort_by_key(|(key, _)| key.span().start);
-    entries
 }
 
 /// The entries of a table, one after the other.
@@ -208,12 +196,6 @@ struct Entries<'tree, 'text> {
     table: Place,
 }
 
-impl<'tree, 'text> Entries<'tree, 'text> {
-    fn new(table: &'tree DeTable<'text>, place: &Place) -> Self {
-        Self { entries: in_order(table).into_iter(), value: None, table: place.clone() }
-    }
-}
-
 impl<'tree> MapAccess<'tree> for Entries<'tree, '_> {
     type Error = Fault;
 
@@ -221,15 +203,12 @@ impl<'tree> MapAccess<'tree> for Entries<'tree, '_> {
         &mut self,
         seed: K,
     ) -> Result<Option<K::Value>, Fault> {
-        let Some((key, value)) = self.entries.next() else {
+        let Some(Entry { name, span, value }) = self.entries.next() else {
             return Ok(None);
         };
-        let name: &str = key.get_ref();
-        self.value = Some(Reader::new(value.get_ref(), self.table.child(name, value.span())));
-        let name: StrDeserializer<'_, Fault> = name.into_deserializer();
-        seed.deserialize(name)
-            .map(Some)
-            .map_err(|fault| fault.at(&self.table.child(key.get_ref(), key.span())))
+        self.value = Some(Reader::new(value.node, self.table.child(name, value.span)));
+        let key: StrDeserializer<'_, Fault> = name.into_deserializer();
+        seed.deserialize(key).map(Some).map_err(|fault| fault.at(&self.table.child(name, span)))
     }
 
     fn next_value_seed<V: DeserializeSeed<'tree>>(&mut self, seed: V) -> Result<V::Value, Fault> {
@@ -243,14 +222,8 @@ impl<'tree> MapAccess<'tree> for Entries<'tree, '_> {
 
 /// The items of a list, one after the other.
 struct Items<'tree, 'text> {
-    items: std::iter::Enumerate<std::slice::Iter<'tree, Spanned<DeValue<'text>>>>,
+    items: std::iter::Enumerate<vec::IntoIter<Item<'tree, 'text>>>,
     list: Place,
-}
-
-impl<'tree, 'text> Items<'tree, 'text> {
-    fn new(list: &'tree DeArray<'text>, place: &Place) -> Self {
-        Self { items: list.iter().enumerate(), list: place.clone() }
-    }
 }
 
 impl<'tree> SeqAccess<'tree> for Items<'tree, '_> {
@@ -260,14 +233,12 @@ impl<'tree> SeqAccess<'tree> for Items<'tree, '_> {
         &mut self,
         seed: T,
     ) -> Result<Option<T::Value>, Fault> {
-        let Some((index, item)) = self.items.next() else {
+        let Some((index, Item { node, span })) = self.items.next() else {
             return Ok(None);
         };
-        let place = Place {
-            name: format!("{}[{index}]", self.list.name),
-            ..self.list.spanning(item.span())
-        };
-        seed.deserialize(Reader::new(item.get_ref(), place.clone()))
+        let place =
+            Place { name: format!("{}[{index}]", self.list.name), ..self.list.spanning(span) };
+        seed.deserialize(Reader::new(node, place.clone()))
             .map(Some)
             .map_err(|fault| fault.at(&place))
     }

@@ -144,7 +144,7 @@ impl<V: Space> Render<V> for AtServoRate<'_, V> {
     ) -> Result<Port<V>, ParameterError> {
         let Self { scenes, around, seen } = self;
         match around {
-            None => received(scenes, environment),
+            None => received(scenes, scenes.part::<V, _>(environment)),
             Some(wrapper) => {
                 let period = V::Scalar::of(
                     scenes.common().environment_ratio() as f64 * scenes.common().period(),
@@ -225,7 +225,7 @@ pub(super) fn measured<V: Space>(
     let effects = &scenes.common().effects;
     let port = match (scenes.common().velocity, effects.filter) {
         (Velocity::Exact, _) => counted(scenes, scenes.port(port))?,
-        (_, None) => counted(scenes, port.differenced())?,
+        (_, None) => counted(scenes, scenes.part::<V, _>(port).differenced())?,
         (_, Some(filter)) => filtered(scenes, filter, scenes.port(port))?,
     };
     if effects.noise.is_none() {

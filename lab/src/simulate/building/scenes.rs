@@ -39,6 +39,16 @@ impl<'a> Scenes<'a> {
         Port::new(On::new(port, self.instructions))
     }
 
+    /// `port` as a part of a larger one: by itself, or in a box where loops are small rather than fast.
+    pub(super) fn part<V: Space, P: OnePort<V> + 'static>(
+        self,
+        port: P,
+    ) -> impl OnePort<V> + 'static + use<V, P> {
+        #[cfg(not(feature = "every-signal"))]
+        let port = self.port(port);
+        port
+    }
+
     /// `plant` in a box.
     pub(super) fn plant<V: Space>(self, plant: impl Plant<V> + 'static) -> AnyPlant<V> {
         AnyPlant::new(On::new(plant, self.instructions))

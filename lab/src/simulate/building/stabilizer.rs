@@ -64,7 +64,13 @@ impl<V: Space> AnyStabilizer<V> {
         stabilizer: impl Stabilizer<V> + 'static,
         instructions: Instructions,
     ) -> Self {
-        Self(Box::new(Fused(On::new(stabilizer, instructions))))
+        let part = On::new(stabilizer, instructions);
+        // Loops that are small rather than fast call every stabilizer.
+        Self(if cfg!(feature = "every-signal") {
+            Box::new(Fused(part))
+        } else {
+            Box::new(Called(part))
+        })
     }
 
     /// POPC or LOLC of the tables, one for each scene and alike in all but numbers.
@@ -173,6 +179,8 @@ impl<V: Space> Render<V> for Booking<V::Scalar> {
         _environment: impl ForceLaw<V> + 'static,
         credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Self::Made, ParameterError> {
+        #[cfg(not(feature = "every-signal"))]
+        let credit = AnyCandidate::<V>(Box::new(credit));
         Ok(AnyStabilizer::watching((PortEnergy, credit), self))
     }
 }

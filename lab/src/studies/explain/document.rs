@@ -68,9 +68,12 @@ fn tried(remedy: &Remedy) -> Tried {
         Change::Number(number) => Value::from(*number),
         Change::Word(word) => Value::from(*word),
     };
-    let set = remedy.changes.iter().map(|(key, change)| (key.clone(), value(change)));
+    let mut set = Map::new();
+    for (key, change) in &remedy.changes {
+        set.insert(key.clone(), value(change));
+    }
     Tried {
-        set: set.collect(),
+        set,
         verdict: remedy.verdict,
         peak_force_n: remedy.peak_force,
         force_error_rms_n: remedy.force_error,

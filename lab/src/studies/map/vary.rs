@@ -5,7 +5,7 @@ use std::fmt;
 use toml::Value;
 
 use super::axis::Axis;
-use crate::files::scene::{Draft, Motion, Scene, is_number, is_whole};
+use crate::files::scene::{Draft, Keys, Motion, Scene, is_number, is_whole, read_made};
 use crate::text::nearest;
 
 /// A number of a scene, found by its dotted key.
@@ -87,8 +87,8 @@ impl Vary {
 
 /// The scene of `tree`, with the samples of a motion file taken from `base`.
 pub(super) fn read(tree: &Value, base: &Scene) -> Result<Scene, String> {
-    let mut draft: Draft =
-        tree.clone().try_into().map_err(|error: toml::de::Error| error.message().to_owned())?;
+    let keys: Keys = read_made(tree)?;
+    let mut draft = Draft::try_from(keys).map_err(|conflict| conflict.to_string())?;
     if let (Some(Motion::File { samples, .. }), Some(Motion::File { samples: own, .. })) =
         (&mut draft.operator.motion, &base.operator.motion)
     {

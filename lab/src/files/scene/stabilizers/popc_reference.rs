@@ -96,6 +96,9 @@ impl<T: Scalar, R: Install<T>> Render<T> for Following<T, R> {
         environment: impl ForceLaw<T> + 'static,
         _credit: impl LyapunovCandidate<T> + 'static,
     ) -> Result<R::Made, ParameterError> {
-        self.of(move |x, v| environment.stored(&Kinematics::at(x, v)))
+        let stored = move |x, v| environment.stored(&Kinematics::at(x, v));
+        #[cfg(not(feature = "every-signal"))]
+        let stored: Box<dyn Fn(T, T) -> T> = Box::new(stored);
+        self.of(stored)
     }
 }

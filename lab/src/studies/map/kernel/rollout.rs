@@ -53,6 +53,8 @@ struct Group<T: Batch, S, M> {
     meter: M,
     /// The remaining ticks.
     left: u64,
+    /// The lanes whose last row is finite; all of them before it.
+    sound: T::Mask,
     first: usize,
     count: usize,
 }
@@ -91,20 +93,6 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
         *plant = plant.starting(sample.position, sample.velocity);
         port.clear(lanes);
     }
-
-    /// Runs the last tick, after which nothing moves. Returns the lanes whose row is finite.
-    ///
-    /// It runs once and need not be fast.
-    #[inline(never)]
-    fn finish(&mut self) -> T::Mask {
-        self.meter.room();
-        let Loop { port, sample, .. } = &mut self.looped;
-        let correction = port.respond(sample);
-        let mut watch = self.meter.watch();
-        watch.add(sample, port.answer(), &correction);
-        watch.end(1);
-        sample.position.finite() & sample.velocity.finite() & correction.effort.finite()
-    }
 }
 
 impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
@@ -124,28 +112,36 @@ impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
         let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
         let (meter, plant) = (M::new(lanes)?, lanes.body(&mut self.bodies)?);
         let (port, sample) = (lanes.port()?, plant.start());
-        Ok(Some(Group { looped: Loop { plant, port, sample }, meter, left, first, count }))
+        let (looped, sound) = (Loop { plant, port, sample }, Mask::of(true));
+        Ok(Some(Group { looped, meter, left, sound, first, count }))
     }
 
     #[inline(never)]
-    fn put(&mut self, group: &Group<T, S, M>, sound: T::Mask) {
+    fn put(&mut self, group: &Group<T, S, M>) {
         for lane in 0..group.count {
-            self.readings[group.first + lane] = group.meter.read(lane, sound.lane(lane));
+            self.readings[group.first + lane] = group.meter.read(lane, group.sound.lane(lane));
         }
     }
 
     /// Whether the group is done; if so, stores its readings.
     #[inline(always)]
     fn settle(&mut self, group: &mut Group<T, S, M>) -> bool {
-        let is_last = group.left == 1;
-        if !is_last && !group.meter.is_decided() {
-            if let Some(lanes) = group.meter.out_of_range() {
-                group.rest(lanes);
+        match group.left {
+            0 => group.sound = group.sound & group.looped.sample.applied.finite(),
+            1 => {
+                let PortSample { position, velocity, .. } = group.looped.sample;
+                group.sound = position.finite() & velocity.finite();
+                return false;
             }
-            return false;
+            _ if group.meter.is_decided() => {}
+            _ => {
+                if let Some(lanes) = group.meter.out_of_range() {
+                    group.rest(lanes);
+                }
+                return false;
+            }
         }
-        let sound = if is_last { group.finish() } else { Mask::of(true) };
-        self.put(group, sound);
+        self.put(group);
         true
     }
 }
@@ -185,7 +181,8 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M>
 /// Runs groups side by side until the next check.
 #[inline(always)]
 fn advance<T: Batch, S: Laned<T>, M: Meter<T>>(groups: &mut [Group<T, S, M>]) {
-    let room = |group: &mut Group<T, S, M>| group.meter.room().min(group.left - 1);
+    // The last tick comes by itself: the motion before it tells whether it is sound.
+    let room = |group: &mut Group<T, S, M>| group.meter.room().min((group.left - 1).max(1));
     let ticks = groups.iter_mut().map(room).min().unwrap_or_default().min(STRETCH);
     if T::IN_REGISTERS {
         for group in groups.iter_mut() {

@@ -4,7 +4,9 @@ use lyapunov::{Correction, Mask, PortSample, Scalar, Stabilizer};
 
 use super::account::Account;
 use super::{Asked, Left, ObserveError};
-use crate::files::scene::{Scalar as Width, Scene};
+#[cfg(feature = "every-signal")]
+use crate::files::scene::Scalar as Width;
+use crate::files::scene::Scene;
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{AnyStabilizer, Fitted, Space};
 
@@ -16,6 +18,7 @@ const AROUND: &str =
 #[derive(Debug)]
 pub(super) enum Entrant {
     Wide(AnyStabilizer<f64>),
+    #[cfg(feature = "every-signal")]
     Narrow(AnyStabilizer<f32>),
 }
 
@@ -33,6 +36,7 @@ impl Entrant {
     pub(super) fn answer(&mut self, sample: &PortSample<f64>, effort: f64) -> Answer {
         match self {
             Self::Wide(stabilizer) => told(stabilizer, sample, effort),
+            #[cfg(feature = "every-signal")]
             Self::Narrow(stabilizer) => told(stabilizer, sample, effort),
         }
     }
@@ -94,8 +98,9 @@ fn entrant(
     member: StabilizerName,
     scene: &Scene,
 ) -> Result<Option<Entrant>, lyapunov::ParameterError> {
-    Ok(match scene.scalar {
-        Width::F64 => member.on(scene).map(Fitted::behind)?.map(Entrant::Wide),
-        Width::F32 => member.on(scene).map(Fitted::behind)?.map(Entrant::Narrow),
-    })
+    #[cfg(feature = "every-signal")]
+    if scene.scalar == Width::F32 {
+        return Ok(member.on(scene).map(Fitted::behind)?.map(Entrant::Narrow));
+    }
+    Ok(member.on(scene).map(Fitted::behind)?.map(Entrant::Wide))
 }
