@@ -9,7 +9,7 @@ mkdir -p "$target"
 target=$(cd "$target" && pwd)
 
 skipped() { printf 'SKIPPED: the page: %s\n' "$*"; exit 0; }
-command -v node >/dev/null && command -v npm >/dev/null || skipped "it needs node and npm"
+for tool in node npm xz; do command -v "$tool" >/dev/null || skipped "it needs $tool"; done
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skipped "it needs chromium"
 sysroot=$(rustc --print sysroot)
 [ -d "$sysroot/lib/rustlib/wasm32-unknown-unknown" ] || rustup target add wasm32-unknown-unknown >/dev/null 2>&1 ||
