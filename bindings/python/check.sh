@@ -18,11 +18,10 @@ fi
     || skipped "the Python package: its tools cannot be installed from the registry"
 export VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH
 
-step cargo fmt --check
-# With the settings that the other checks build dependencies with, which are then built once.
+# With the settings and the features of the workspace's tests, whose lab and command it takes.
 rm -rf "$target/wheels"
 step maturin build --quiet --profile dev --out "$target/wheels"
-step cargo clippy --features pyo3/extension-module -- -D warnings
+step cargo clippy --package lyapunov-python --features pyo3/extension-module -- -D warnings
 pip install --quiet --force-reinstall --no-deps "$target"/wheels/*.whl
 step mypy --strict python/lyapunov
 step mypy --strict tests/typed.py
@@ -31,7 +30,7 @@ step pyright --pythonpath "$venv/bin/python" python/lyapunov tests/typed.py
 stubs() { (cd "$target" && python -m mypy.stubtest lyapunov._lyapunov --concise --allowlist <(echo 'lyapunov\._lyapunov\.__all__')); }
 step stubs
 # From a folder without the sources, so that it is the wheel that is tested.
-tests=$PWD/tests
+here=$PWD
 cd "$target"
-step python -m pytest --quiet -p no:cacheprovider --rootdir "$tests" "$tests"
-step bash "$OLDPWD/examples/check.sh"
+step python -m pytest --quiet -rs --durations=8 -p no:cacheprovider --rootdir "$here" "$here/tests" \
+    "$here"/examples/tests/test_{handle,notebooks}.py

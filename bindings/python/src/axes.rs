@@ -3,7 +3,7 @@
 use lyapunov::stabilizers::Member;
 use lyapunov::{CheckedSample, Correction, Signal};
 use nalgebra::SVector;
-use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyUntypedArray, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyFloat;
@@ -198,14 +198,11 @@ vectors!(Two 2, Three 3, Six 6, Seven 7);
 /// The vector that an array of float64 or a sequence of numbers tells.
 fn vector<const N: usize>(value: &Bound<'_, PyAny>, name: &str) -> PyResult<SVector<f64, N>> {
     if let Ok(array) = value.cast::<PyArray1<f64>>() {
-        let array: PyReadonlyArray1<'_, f64> = array.try_readonly().map_err(|_| {
-            PyValueError::new_err(format!("{name} is an array that another call writes to now"))
-        })?;
         if array.len() != N {
             return Err(wrong(value, name, N));
         }
-        let array = array.as_array();
-        return Ok(SVector::from_fn(|axis, _| array[axis]));
+        // One by one: to borrow the array takes longer than the step.
+        return Ok(SVector::from_fn(|axis, _| array.get_owned([axis]).unwrap_or(f64::NAN)));
     }
     if value.cast::<PyUntypedArray>().is_ok() {
         return Err(wrong(value, name, N));

@@ -8,6 +8,7 @@
 mod backward;
 mod batch;
 mod field;
+mod loops;
 mod meter;
 mod parts;
 mod port;
@@ -36,6 +37,7 @@ use crate::simulate::family::{BasicName, Settings};
 use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
 use batch::Batch;
+pub use loops::{Ends, Loops, Numbers, Recipe};
 use meter::{Everything, Meter, Verdicts};
 use parts::Laned;
 #[cfg(target_arch = "x86_64")]

@@ -73,7 +73,8 @@ impl<T: Scalar> Bodies<T> {
         Self(None)
     }
 
-    fn of(&mut self, parts: Impedance<T>, period: T) -> Result<Body<T>, ParameterError> {
+    /// The body that moves so over each `period`.
+    pub(super) fn of(&mut self, parts: Impedance<T>, period: T) -> Result<Body<T>, ParameterError> {
         match &self.0 {
             Some((made_of, over, body)) if *made_of == parts && *over == period => Ok(*body),
             _ => {

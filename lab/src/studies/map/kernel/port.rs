@@ -1,6 +1,6 @@
 //! The port of the kernel: a stabilized wall that is slower than the servo.
 
-use lyapunov::{Correction, OnePort, PortSample, environments::Wall};
+use lyapunov::{Correction, OnePort, PortSample, Stabilizer, environments::Wall};
 
 use super::backward::{Fuse, Period};
 use super::parts::Laned;
@@ -20,7 +20,7 @@ pub(super) struct StabilizedWall<T, S> {
     answer: T,
 }
 
-impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
+impl<T: Fuse, S: Stabilizer<T>> StabilizedWall<T, S> {
     /// The port of `wall`, asked on every `ticks`-th tick from the first on.
     pub(super) fn new(wall: Wall<T>, ticks: u64, stabilizer: S, period: f64) -> Self {
         let (period, answer) = (Period::of(period), T::zero());
@@ -33,12 +33,6 @@ impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
         self.answer
     }
 
-    /// Forgets the force and the account of some `lanes`.
-    pub(super) fn clear(&mut self, lanes: T::Mask) {
-        self.answer = T::choose(lanes, T::zero(), self.answer);
-        self.stabilizer = self.stabilizer.cleared(lanes);
-    }
-
     #[inline(always)]
     pub(super) fn respond(&mut self, sample: &PortSample<T>) -> Correction<T> {
         let velocity = self.period.divide(sample.displacement);
@@ -49,5 +43,13 @@ impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
         }
         self.left -= 1;
         self.stabilizer.stabilize(&seen, self.answer)
+    }
+}
+
+impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
+    /// Forgets the force and the account of some `lanes`.
+    pub(super) fn clear(&mut self, lanes: T::Mask) {
+        self.answer = T::choose(lanes, T::zero(), self.answer);
+        self.stabilizer = self.stabilizer.cleared(lanes);
     }
 }

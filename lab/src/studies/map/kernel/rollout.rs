@@ -1,6 +1,6 @@
 //! The loop over the ticks of rollouts on lanes.
 
-use lyapunov::{Mask, ParameterError, Plant, PortSample, bodies::Body};
+use lyapunov::{Mask, ParameterError, Plant, PortSample, Stabilizer, bodies::Body};
 use pulp::NullaryFnOnce;
 
 use super::batch::Batch;
@@ -26,15 +26,15 @@ pub(super) struct Rollouts<'a, T: Batch, S, M: Meter<T>> {
 
 /// The loop of a group of lanes.
 #[derive(Clone, Copy)]
-struct Loop<T: Batch, S> {
-    plant: Body<T>,
-    port: StabilizedWall<T, S>,
-    sample: PortSample<T>,
+pub(super) struct Loop<T: Batch, S> {
+    pub(super) plant: Body<T>,
+    pub(super) port: StabilizedWall<T, S>,
+    pub(super) sample: PortSample<T>,
 }
 
-impl<T: Batch, S: Laned<T>> Loop<T, S> {
+impl<T: Batch, S: Stabilizer<T>> Loop<T, S> {
     #[inline(always)]
-    fn tick(&mut self, watch: &mut impl Watch<T>) {
+    pub(super) fn tick(&mut self, watch: &mut impl Watch<T>) {
         let correction = self.port.respond(&self.sample);
         watch.add(&self.sample, self.port.answer(), &correction);
         // The period stays, and a whole sample would be built elsewhere and copied here.

@@ -1,0 +1,94 @@
+//! Closed loops whose numbers are arrays, against the library's own parts in one `f64` after the other, to the bit.
+
+use lyapunov::bodies::{Body, Impedance};
+use lyapunov::effects::OnePortExt;
+use lyapunov::environments::Wall;
+use lyapunov::stabilizers::{Member, NoStabilizer, StabilizerExt};
+use lyapunov::{
+    DampingLimit, Dissipation, Lolc, OnePort, ParameterError, Plant, Popc, PortEnergy, Scalar,
+};
+use lyapunov_lab::map::{Loops, Numbers, Recipe};
+
+const PERIOD: f64 = 1e-3;
+
+type Made<T> = Member<T, (PortEnergy, Dissipation<T>)>;
+
+/// A stabilizer of this name.
+struct Named(&'static str);
+
+impl Recipe for Named {
+    fn make<T: Scalar>(&self) -> Result<Made<T>, ParameterError> {
+        let limit = DampingLimit::at(T::of(90.0))?;
+        let popc = Popc::new(PortEnergy, limit);
+        Ok(match self.0 {
+            "popc" => Member::Popc(popc),
+            "lolc" => Member::Lolc(Lolc::new((PortEnergy, Dissipation::of(T::of(0.1))?), limit)),
+            "popc-bounded" => Member::Bounded(popc.bounded(T::of(1e-4))?),
+            _ => Member::NoStabilizer(NoStabilizer),
+        })
+    }
+}
+
+/// Numbers that differ from loop to loop.
+fn spread(count: usize, from: f64, to: f64) -> Vec<f64> {
+    let at = |index: usize| from + (to - from) * (index * 7 % count) as f64 / count as f64;
+    (0..count).map(at).collect()
+}
+
+/// Position, velocity, observed energy and largest |position| of a loop alone.
+fn alone(loops: &Loops<'_>, name: &'static str, at: usize) -> [f64; 4] {
+    let of = |numbers: Numbers<'_>| match numbers {
+        Numbers::All(number) => number,
+        Numbers::Each(numbers) => numbers[at],
+    };
+    let Impedance { mass, damping, stiffness } = loops.impedance;
+    let impedance = Impedance { mass: of(mass), damping: of(damping), stiffness: of(stiffness) };
+    let body = Body::new(impedance, PERIOD).unwrap();
+    let mut plant = body.starting(of(loops.position), of(loops.velocity));
+    let wall = Wall::new(of(loops.wall_stiffness), of(loops.wall_damping)).unwrap();
+    let wall = wall.at(of(loops.wall_position));
+    let mut port = wall.stabilized(Named(name).make::<f64>().unwrap()).differenced();
+    let (mut sample, mut largest) = (plant.start(), 0.0_f64);
+    for tick in 0..loops.ticks {
+        sample = plant.advance(port.respond(&sample));
+        if 2 * tick >= loops.ticks {
+            largest = largest.max(sample.position.abs());
+        }
+    }
+    [sample.position, sample.velocity, port.correction().observed_energy, largest]
+}
+
+#[test]
+fn every_loop_has_the_bits_of_the_librarys_parts() {
+    let count = 37; // Two groups of any lanes, and some lanes more.
+    let (mass, stiffness) = (spread(count, 0.1, 0.4), spread(count, 500.0, 60_000.0));
+    let start = spread(count, -5e-3, 2e-3);
+    let loops = Loops {
+        count,
+        ticks: 301,
+        period: PERIOD,
+        impedance: Impedance {
+            mass: Numbers::Each(&mass),
+            damping: Numbers::All(0.2),
+            stiffness: Numbers::All(50.0),
+        },
+        position: Numbers::Each(&start),
+        velocity: Numbers::All(0.1),
+        wall_stiffness: Numbers::Each(&stiffness),
+        wall_damping: Numbers::All(2.0),
+        wall_position: Numbers::All(5e-4),
+    };
+    for name in ["none", "popc", "lolc", "popc-bounded"] {
+        let ends = loops.ends(&Named(name)).unwrap();
+        assert_eq!(ends.position.len(), count);
+        for at in 0..count {
+            let told = [&ends.position, &ends.velocity, &ends.observed_energy, &ends.largest];
+            let told = told.map(|numbers| numbers[at].to_bits());
+            assert_eq!(told, alone(&loops, name, at).map(f64::to_bits), "{name}, loop {at}");
+        }
+    }
+    // What a body cannot have is said as by the body.
+    let heavy =
+        Loops { impedance: Impedance { mass: Numbers::All(0.0), ..loops.impedance }, ..loops };
+    assert_eq!(heavy.ends(&Named("popc")).unwrap_err().parameter, "mass");
+}
