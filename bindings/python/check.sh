@@ -18,7 +18,7 @@ fi
     || skipped "the Python package: its tools cannot be installed from the registry"
 export VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH
 
-# With the settings and the features of the workspace's tests, whose lab and command it takes.
+# In the profile of the tests, whose dependencies it finds built as far as their features agree.
 rm -rf "$target/wheels"
 step maturin build --quiet --profile dev --out "$target/wheels"
 step cargo clippy --package lyapunov-python --features pyo3/extension-module -- -D warnings
