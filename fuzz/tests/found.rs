@@ -1,6 +1,6 @@
 //! Cases that the targets found, and that were mended.
 
-use lyapunov_core::{PortSample, Stabilizer};
+use lyapunov_core::{Correction, PortSample, Stabilizer};
 use lyapunov_stabilizers::{Sharing, TwoLayer};
 
 /// Damping of `gain` times a debt overflowed; an infinite damping of no velocity is NaN, so that rest was rejected for good.
@@ -11,7 +11,7 @@ fn a_two_layer_end_accepts_rest_after_any_debt() {
     let still = PortSample::starting(1e-3, 0.0, 0.0);
     let gave = PortSample { work: -1e300, ..still };
     for sample in [gave, still] {
-        let told = master.stabilize(&sample, 2.0);
+        let told: Correction<f64> = master.stabilize(&sample, 2.0);
         assert!(told.accepted && told.effort == 0.0 && told.alpha.is_finite(), "{told:?}");
     }
 }
@@ -23,7 +23,8 @@ fn a_two_layer_end_sends_no_infinity() {
     let mut master = TwoLayer::master(sharing, 0.0, 0.0_f64).expect("an end");
     for _ in 0..5 {
         master.receive(master.sent());
-        let told = master.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 2.0);
+        let sample = PortSample::starting(1e-3, 0.0, 0.1);
+        let told: Correction<f64> = master.stabilize(&sample, 2.0);
         assert!(told.observed_energy.is_finite() && master.sent().is_finite(), "{told:?}");
     }
 }

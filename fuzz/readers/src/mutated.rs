@@ -10,8 +10,30 @@ const CHANGES: u64 = 40;
 
 /// What is put into a text now and then.
 const WORDS: [&str; 24] = [
-    "=", "[", "]", "{ ", " }", "\"", "\n", ",", ".", "-", "nan", "inf", "1e308", "-1e308", "1e-320",
-    "0", "18446744073709551616", "true", "\u{1b}[2J", "\0", "\u{feff}", "#", "..", ":",
+    "=",
+    "[",
+    "]",
+    "{ ",
+    " }",
+    "\"",
+    "\n",
+    ",",
+    ".",
+    "-",
+    "nan",
+    "inf",
+    "1e308",
+    "-1e308",
+    "1e-320",
+    "0",
+    "18446744073709551616",
+    "true",
+    "\u{1b}[2J",
+    "\0",
+    "\u{feff}",
+    "#",
+    "..",
+    ":",
 ];
 
 /// Numbers of SplitMix64.
@@ -62,7 +84,9 @@ fn begins(kind: &str) -> Vec<Vec<u8>> {
         paths.sort();
         paths.iter().map(|it| fs::read(it).expect("a file")).collect()
     };
-    let lines = |text: &[u8]| text.split_inclusive(|it| *it == b'\n').take(200).collect::<Vec<_>>().concat();
+    let lines = |text: &[u8]| {
+        text.split_inclusive(|it| *it == b'\n').take(200).collect::<Vec<_>>().concat()
+    };
     match kind {
         "scene" => files("", "toml"),
         "model" => files("models", "toml"),

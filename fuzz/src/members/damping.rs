@@ -11,7 +11,7 @@ use lyapunov_stabilizers::{
 
 use super::{Member, limit, popc};
 use crate::Real;
-use crate::check::Manner::{Damps, Holds, Passes, Shapes};
+use crate::check::Manner::{Answers, Damps, Holds, Passes, Shapes};
 use crate::drive::{copied, stored};
 
 /// Adds all of them.
@@ -201,7 +201,7 @@ fn guarded<T: Real>(members: &mut Vec<Member>) {
         run: |bytes| {
             let popc: Popc<T> = popc(bytes)?;
             let readings = Readings::every(bytes.positive::<T>())?;
-            copied::<T, _>(bytes, Passes, Ok(Reads(readings, popc)))
+            copied::<T, _>(bytes, Answers, Ok(Reads(readings, popc)))
         },
     });
 }
