@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Whether the tests notice a changed line: cargo-mutants over steps, ledgers and accumulators.
+# `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files; `mutants.sh sample N` every N-th one;
+# `mutants.sh named` the changes that went unnoticed once. Survivors are listed.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+root=$PWD
+# Dependencies are built once for all runs.
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$root/target} CARGO_INCREMENTAL=1
+export PATH="$CARGO_TARGET_DIR/tools/bin:$PATH"
+
+core=(accumulator candidate correction dissipation double_double ledger observer parameter port_sample scalar signal)
+core=("${core[@]/#/lyapunov-core/src/}")
+core=("${core[@]/%/.rs}")
+steps=('stabilizers/src/**/*.rs')
+
+# The tests of a file: package and target.
+tests_of() {
+    case $1 in
+    lyapunov-core/*) echo lyapunov-core sums ;;
+    stabilizers/*) echo lyapunov-slim steps ;;
+    *) echo "no cheap test covers $1" >&2 && return 2 ;;
+    esac
+}
+
+# Changes files in a copy; the first argument is the folder of results, then options and files.
+mutate() {
+    local name=$1 package target files=() options=() status=0
+    shift
+    while [[ ${1:-} == --* ]]; do options+=("$1" "$2") && shift 2; done
+    read -r package target < <(tests_of "$1")
+    for file in "$@"; do files+=(--file "$file"); done
+    command -v cargo-mutants >/dev/null || cargo install --quiet --locked --root "$CARGO_TARGET_DIR/tools" cargo-mutants
+    cargo mutants --output "$CARGO_TARGET_DIR/mutants-$name" --test-package "$package" "${options[@]}" \
+        "${files[@]}" -- --test "$target" || status=$?
+    # 2 and 3: some were missed, or made a test endless.
+    case $status in 0 | 2 | 3) cat "$CARGO_TARGET_DIR/mutants-$name/mutants.out/missed.txt" ;; *) return "$status" ;; esac
+}
+
+# File, line as it is, and as it becomes: what no operator of cargo-mutants makes.
+named() {
+    local copy file from to package target survived=0
+    copy=$(mktemp -d)
+    git ls-files -z | xargs -0 cp --parents -t "$copy"
+    cd "$copy"
+    while IFS='|' read -r file from to; do
+        [ -n "$file" ] || continue
+        grep -qF -- "$from" "$file" || { echo "$file has no line with: $from" && return 2; }
+        FROM=$from TO=$to perl -0pi -e 's/\Q$ENV{FROM}\E/$ENV{TO}/' "$file"
+        read -r package target < <(tests_of "$file")
+        if cargo test --quiet --profile mutants -p "$package" --test "$target" >"$copy/log" 2>&1; then
+            echo "SURVIVED $file: $from -> $to" && survived=1
+        elif grep -q '^error' "$copy/log" && ! grep -q '^test result: FAILED' "$copy/log"; then
+            echo "DOES NOT BUILD $file: $from -> $to" && survived=1
+        else
+            echo "caught $file: $from -> $to"
+        fi
+        cp "$root/$file" "$file"
+    done <<'CHANGES'
+lyapunov-core/src/accumulator.rs|error: T::choose(above, T::zero(), self.error)|error: self.error
+lyapunov-core/src/accumulator.rs|self.sum.smaller(most)|self.sum.larger(most)
+lyapunov-core/src/accumulator.rs|.smaller(T::zero()).larger(sum)|.larger(sum)
+lyapunov-core/src/accumulator.rs|raised.add(-most)|raised.add(most)
+lyapunov-core/src/ledger.rs|displacement = sample.velocity.scale(period)|displacement = sample.displacement
+lyapunov-core/src/dissipation.rs|& burnt.finite()|
+stabilizers/src/lolc.rs|T::of(1.0) - T::of(4.0) * T::epsilon()|T::of(1.0) + T::of(4.0) * T::epsilon()
+stabilizers/src/lolc.rs|T::of(1.0) - T::of(4.0) * T::epsilon()|T::of(1.0)
+stabilizers/src/lolc.rs|.smaller(limit).larger(zero)|.larger(zero)
+stabilizers/src/lolc.rs|.smaller(limit).larger(zero)|.smaller(limit)
+stabilizers/src/lolc.rs|(square * margin).larger(T::smallest_normal())|(square * margin)
+stabilizers/src/lolc.rs|self.observer.ledger.credit(Requirement::NonNegative.check("budget", energy)?)|Requirement::NonNegative.check("budget", energy)?
+stabilizers/src/lolc.rs|self.observer.ledger = before;|
+stabilizers/src/two_port/one_way.rs|energy.above(self.received) & energy.finite()|energy.finite()
+stabilizers/src/two_layer.rs|energy.above(self.received) & energy.finite()|energy.finite()
+stabilizers/src/credit/windowed_credit.rs|self.sum.lower(window);|
+stabilizers/src/credit/bounded_credit.rs|self.stabilizer.limit_credit(self.most);|
+stabilizers/src/tank/mod.rs|.smaller(self.power)|
+CHANGES
+    cd "$root"
+    rm -r "$copy"
+    return "$survived"
+}
+
+case ${1:?all, named, sample N or files} in
+all)
+    mutate core "${core[@]}"
+    mutate steps "${steps[@]}"
+    ;;
+sample)
+    mutate core-sample --shard "0/$2" "${core[@]}"
+    mutate steps-sample --shard "0/$2" "${steps[@]}"
+    ;;
+named) named ;;
+*) for file in "$@"; do mutate "$(basename "$file" .rs)" "$file"; done ;;
+esac

@@ -1,0 +1,1 @@
+//! Nothing: the test target `steps` of this package is all of it.
