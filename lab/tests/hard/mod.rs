@@ -2,4 +2,4 @@
 
 mod family;
 mod own;
-mod soak;
+mod search;

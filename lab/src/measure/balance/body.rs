@@ -70,8 +70,6 @@ pub(super) struct Passed {
     pub(super) burnt: [f64; 3],
     /// Gained by kinetic and spring energy.
     pub(super) gained: f64,
-    /// Stored at the end.
-    pub(super) stored: f64,
 }
 
 impl Add for Passed {
@@ -83,7 +81,6 @@ impl Add for Passed {
             push: self.push + other.push,
             burnt: [0, 1, 2].map(|index| self.burnt[index] + other.burnt[index]),
             gained: self.gained + other.gained,
-            stored: self.stored + other.stored,
         }
     }
 }
@@ -141,7 +138,7 @@ impl Body {
     ) -> Passed {
         let rest = self.rest(tick, axis);
         let push = if axis == 0 { (self.push)(tick) } else { 0.0 };
-        let (start, stored) = (self.stored(from, rest), self.stored(to, rest));
+        let start = self.stored(from, rest);
         let state = self.state(from, rest, effort - push);
         let burnt = &self.shape.burnt;
         let burn =
@@ -152,8 +149,7 @@ impl Body {
             hand: start - before,
             push: push * (to.device[0] - from.device[0]),
             burnt: [burn(0, device), burn(1, self.shape.damping), burn(2, link)],
-            gained: stored - before,
-            stored,
+            gained: self.stored(to, rest) - before,
         }
     }
 
