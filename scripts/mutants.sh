@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Whether the tests notice a changed line: cargo-mutants over steps, ledgers and accumulators.
-# `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files; `mutants.sh sample N` every N-th one;
+# `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files of one package; `mutants.sh sample N` every N-th one;
 # `mutants.sh named` the changes that went unnoticed once. Survivors are listed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -29,10 +29,14 @@ mutate() {
     shift
     while [[ ${1:-} == --* ]]; do options+=("$1" "$2") && shift 2; done
     read -r package target < <(tests_of "$1")
-    for file in "$@"; do files+=(--file "$file"); done
+    for file in "$@"; do
+        [[ $(tests_of "$file") == "$package $target" ]] || { echo "$file needs other tests than $1" >&2 && return 2; }
+        files+=(--file "$file")
+    done
+    # Changed are files of every package, not of the one in this folder only.
     command -v cargo-mutants >/dev/null || cargo install --quiet --locked --root "$CARGO_TARGET_DIR/tools" cargo-mutants
-    cargo mutants --output "$CARGO_TARGET_DIR/mutants-$name" --test-package "$package" "${options[@]}" \
-        "${files[@]}" -- --test "$target" || status=$?
+    cargo mutants --workspace --output "$CARGO_TARGET_DIR/mutants-$name" --test-package "$package" \
+        --cargo-arg=--test="$target" "${options[@]}" "${files[@]}" || status=$?
     # 2 and 3: some were missed, or made a test endless.
     case $status in 0 | 2 | 3) cat "$CARGO_TARGET_DIR/mutants-$name/mutants.out/missed.txt" ;; *) return "$status" ;; esac
 }
@@ -91,5 +95,5 @@ sample)
     mutate steps-sample --shard "0/$2" "${steps[@]}"
     ;;
 named) named ;;
-*) for file in "$@"; do mutate "$(basename "$file" .rs)" "$file"; done ;;
+*) mutate "$(basename "$1" .rs)" "$@" ;;
 esac

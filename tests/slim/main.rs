@@ -6,6 +6,7 @@
 mod controller;
 mod every_member;
 mod limits;
+mod messages;
 
 #[path = "../family/account.rs"]
 mod account;
