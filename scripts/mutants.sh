@@ -35,7 +35,10 @@ mutate() {
     done
     # Changed are files of every package, not of the one in this folder only.
     command -v cargo-mutants >/dev/null || cargo install --quiet --locked --root "$CARGO_TARGET_DIR/tools" cargo-mutants
-    cargo mutants --workspace --output "$CARGO_TARGET_DIR/mutants-$name" --test-package "$package" \
+    # Its own run without a change would ask the package of the file for tests, so that run is here. A change may make a
+    # loop endless: it is given 30 s.
+    cargo test --quiet --profile mutants -p "$package" --test "$target"
+    cargo mutants --workspace --baseline skip --timeout 30 --output "$CARGO_TARGET_DIR/mutants-$name" --test-package "$package" \
         --cargo-arg=--test="$target" "${options[@]}" "${files[@]}" || status=$?
     # 2 and 3: some were missed, or made a test endless.
     case $status in 0 | 2 | 3) cat "$CARGO_TARGET_DIR/mutants-$name/mutants.out/missed.txt" ;; *) return "$status" ;; esac
@@ -71,7 +74,6 @@ stabilizers/src/lolc.rs|T::of(1.0) - T::of(4.0) * T::epsilon()|T::of(1.0) + T::o
 stabilizers/src/lolc.rs|T::of(1.0) - T::of(4.0) * T::epsilon()|T::of(1.0)
 stabilizers/src/lolc.rs|.smaller(limit).larger(zero)|.larger(zero)
 stabilizers/src/lolc.rs|.smaller(limit).larger(zero)|.smaller(limit)
-stabilizers/src/lolc.rs|(square * margin).larger(T::smallest_normal())|(square * margin)
 stabilizers/src/lolc.rs|self.observer.ledger.credit(Requirement::NonNegative.check("budget", energy)?)|Requirement::NonNegative.check("budget", energy)?
 stabilizers/src/lolc.rs|self.observer.ledger = before;|
 stabilizers/src/two_port/one_way.rs|energy.above(self.received) & energy.finite()|energy.finite()

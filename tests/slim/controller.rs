@@ -123,6 +123,7 @@ fn on<V: Signal<Scalar = f64>>() {
     follows::<V>(popc, held(0.0, 0.0));
     follows::<V>(lolc, held(0.0, DAMPING));
     follows::<V>(lolc.sampled(), sampled(DAMPING));
+    follows::<V>(popc.sampled(), sampled(0.0));
     follows::<V>(lolc.summed_in::<Compensated<f64>>(), held(0.0, DAMPING));
     follows::<V>(popc.budgeted(24.0).expect("a budget"), held(24.0, 0.0));
 }

@@ -1,0 +1,27 @@
+//! A sum at the end of the scalar's range, against whole numbers.
+
+use lyapunov::{
+    PortSample, Stabilizer,
+    stabilizers::{Sharing, TwoLayer},
+};
+
+use crate::support::{Dice, PERIOD};
+
+/// In sixteenths of what is too large: what there is room for is booked, and nothing else is.
+#[test]
+fn what_there_is_room_for_is_booked() {
+    let unit = 2f64.powi(1020);
+    let mut end = TwoLayer::slave(Sharing { start: 0.0, share: 0.0 }).expect("an end");
+    let (mut dice, mut exact, mut refused) = (Dice::of(6), 0i64, 0);
+    for tick in 0..2000 {
+        let change = dice.within(15.0).round();
+        let fits = (exact + change as i64).abs() < 16;
+        exact += if fits { change as i64 } else { 0 };
+        refused += i32::from(!fits);
+        let rest = PortSample { work: change * unit, ..PortSample::starting(PERIOD, 0.0, 0.0) };
+        let told = end.stabilize(&rest, 0.0);
+        let found = (told.observed_energy / unit, told.accepted);
+        assert_eq!(found, (exact as f64, fits), "{change} on tick {tick}");
+    }
+    assert!(refused > 200, "{refused} only");
+}
