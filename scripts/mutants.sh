@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # Whether the tests notice a changed line: cargo-mutants over steps, ledgers and accumulators.
-# `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files of one package; `mutants.sh sample N` every N-th one;
-# `mutants.sh named` the changes that went unnoticed once. Survivors are listed.
+# `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files of one package; `mutants.sh sample N` every
+# N-th one; `mutants.sh named` the changes that went unnoticed once. Survivors are listed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
 # Dependencies are built once for all runs.
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$root/target} CARGO_INCREMENTAL=1
 export PATH="$CARGO_TARGET_DIR/tools/bin:$PATH"
+# Copies build here: elsewhere a build of this folder would take the changed parts of a copy for its own, by their age.
+changed=$CARGO_TARGET_DIR/changed
 
 core=(accumulator candidate correction dissipation double_double ledger observer parameter port_sample scalar signal)
 core=("${core[@]/#/lyapunov-core/src/}")
@@ -38,8 +40,8 @@ mutate() {
     # Its own run without a change would ask the package of the file for tests, so that run is here. A change may make a
     # loop endless: it is given 30 s.
     cargo test --quiet --profile mutants -p "$package" --test "$target"
-    cargo mutants --workspace --baseline skip --timeout 30 --output "$CARGO_TARGET_DIR/mutants-$name" --test-package "$package" \
-        --cargo-arg=--test="$target" "${options[@]}" "${files[@]}" || status=$?
+    CARGO_TARGET_DIR=$changed cargo mutants --workspace --baseline skip --timeout 30 --test-package "$package" \
+        --output "$CARGO_TARGET_DIR/mutants-$name" --cargo-arg=--test="$target" "${options[@]}" "${files[@]}" || status=$?
     # 2 and 3: some were missed, or made a test endless.
     case $status in 0 | 2 | 3) cat "$CARGO_TARGET_DIR/mutants-$name/mutants.out/missed.txt" ;; *) return "$status" ;; esac
 }
@@ -55,7 +57,8 @@ named() {
         grep -qF -- "$from" "$file" || { echo "$file has no line with: $from" && return 2; }
         FROM=$from TO=$to perl -0pi -e 's/\Q$ENV{FROM}\E/$ENV{TO}/' "$file"
         read -r package target < <(tests_of "$file")
-        if cargo test --quiet --profile mutants -p "$package" --test "$target" >"$copy/log" 2>&1; then
+        if CARGO_TARGET_DIR=$changed cargo test --quiet --profile mutants -p "$package" --test "$target" \
+            >"$copy/log" 2>&1; then
             echo "SURVIVED $file: $from -> $to" && survived=1
         elif grep -q '^error' "$copy/log" && ! grep -q '^test result: FAILED' "$copy/log"; then
             echo "DOES NOT BUILD $file: $from -> $to" && survived=1

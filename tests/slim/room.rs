@@ -1,8 +1,8 @@
-//! A sum at the end of the scalar's range, against whole numbers.
+//! Sums that have no room for more, against whole numbers: at a bound, and at the end of the scalar's range.
 
 use lyapunov::{
-    PortSample, Stabilizer,
-    stabilizers::{Sharing, TwoLayer},
+    DampingLimit, PortSample, Stabilizer,
+    stabilizers::{Account, LimitCredit, Sharing, TwoLayer, TwoPortSide},
 };
 
 use crate::support::{Dice, PERIOD};
@@ -24,4 +24,21 @@ fn what_there_is_room_for_is_booked() {
         assert_eq!(found, (exact as f64, fits), "{change} on tick {tick}");
     }
     assert!(refused > 200, "{refused} only");
+}
+
+fn forfeits(mut end: impl Account<f64> + LimitCredit<f64>) {
+    end.grant(5.0).expect("a credit");
+    for (most, held) in [(6.0, 5.0), (2.0, 2.0), (3.0, 2.0)] {
+        end.limit_credit(most);
+        assert_eq!(end.observed_energy(), held, "at most {most}");
+    }
+    end.owe(4.0).expect("a debt");
+    end.limit_credit(1.0);
+    assert_eq!(end.observed_energy(), -2.0, "a debt stays");
+}
+
+#[test]
+fn credit_above_a_bound_is_forfeited() {
+    forfeits(TwoLayer::slave(Sharing { start: 0.0, share: 0.1 }).expect("an end"));
+    forfeits(TwoPortSide::<f64>::new(DampingLimit::at(8.0).expect("a limit")));
 }
