@@ -123,6 +123,7 @@ fn on<V: Signal<Scalar = f64>>() {
     follows::<V>(popc, held(0.0, 0.0));
     follows::<V>(lolc, held(0.0, DAMPING));
     follows::<V>(lolc.sampled(), sampled(DAMPING));
+    follows::<V>(popc.sampled(), sampled(0.0));
     follows::<V>(lolc.summed_in::<Compensated<f64>>(), held(0.0, DAMPING));
     follows::<V>(popc.budgeted(24.0).expect("a budget"), held(24.0, 0.0));
 }
@@ -137,16 +138,24 @@ fn follows_the_recursion() {
 #[test]
 fn a_debt_is_served_to_the_last_bit() {
     let mut dice = Dice::of(9);
-    let unlimited = DampingLimit::at(f64::INFINITY).expect("none");
     for _ in 0..20_000 {
-        let [velocity, debt, period] =
-            [dice.within(3.0), dice.within(1.0).abs(), dice.within(1.0).abs()];
-        let sample = PortSample { work: -debt, ..PortSample::starting(period, 0.0, velocity) };
-        let told = Popc::new(PortEnergy, unlimited).stabilize(&sample, 0.0);
-        let served = told.observed_energy + told.alpha * ((velocity * velocity) * period);
-        assert!(served >= 0.0 && told.shortfall == 0.0, "{served:e}: {sample:?} {told:?}");
-        assert!(served <= debt * 16.0 * f64::EPSILON, "{served:e} too much: {told:?}");
+        let (velocity, period) = (dice.within(3.0), dice.within(1.0).abs());
+        is_served(velocity, period, dice.within(1.0).abs());
     }
+    // A square so many steps above the smallest normal number.
+    for step in 1..2000 {
+        let period = 1.0 + f64::from(step % 40 + 1) * f64::EPSILON;
+        is_served(2f64.powi(-511), period, dice.within(1.0).abs());
+    }
+}
+
+fn is_served(velocity: f64, period: f64, debt: f64) {
+    let unlimited = DampingLimit::at(f64::INFINITY).expect("none");
+    let sample = PortSample { work: -debt, ..PortSample::starting(period, 0.0, velocity) };
+    let told = Popc::new(PortEnergy, unlimited).stabilize(&sample, 0.0);
+    let served = told.observed_energy + told.alpha * ((velocity * velocity) * period);
+    assert!(served >= 0.0 && told.shortfall == 0.0, "{served:e}: {sample:?} {told:?}");
+    assert!(served <= debt * 16.0 * f64::EPSILON, "{served:e} too much: {told:?}");
 }
 
 /// A square that is not normal is no motion.

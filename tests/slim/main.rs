@@ -6,6 +6,8 @@
 mod controller;
 mod every_member;
 mod limits;
+mod messages;
+mod room;
 
 #[path = "../family/account.rs"]
 mod account;
