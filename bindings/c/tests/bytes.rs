@@ -179,6 +179,7 @@ fn poses() {
     let mut memory = <Block as Kind>::EMPTY;
     // SAFETY: as above.
     let saved = unsafe { life::save(&it, &mut memory) };
+    // SAFETY: as above.
     let mut again = fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
     // SAFETY: as above.
     let restored = unsafe { life::restore(&mut again, &memory) };
