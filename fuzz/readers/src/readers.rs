@@ -13,8 +13,11 @@ use lyapunov_lab::scene::{Diagnostic, Scene};
 use lyapunov_lab::teleoperation::Teleoperator;
 use lyapunov_lab::{Rollout, identify, observe};
 
+/// What reads bytes.
+type Reader = fn(&[u8]);
+
 /// The readers, each with its name.
-pub(crate) const KINDS: [(&str, fn(&[u8])); 9] = [
+pub(crate) const KINDS: [(&str, Reader); 9] = [
     ("scene", scene),
     ("model", model),
     ("teleoperator", teleoperator),
@@ -44,10 +47,10 @@ fn scene(bytes: &[u8]) {
     let text = text(bytes);
     match Scene::parse(&text, "scene.toml") {
         Ok(scene) => {
-            if scene.servo_rate.get() <= 1e6 {
-                if let Ok(rollout) = Rollout::<f64>::of(&scene) {
-                    rollout.take(20).for_each(drop);
-                }
+            if scene.servo_rate.get() <= 1e6
+                && let Ok(rollout) = Rollout::<f64>::of(&scene)
+            {
+                rollout.take(20).for_each(drop);
             }
             is_written(&scene);
         }

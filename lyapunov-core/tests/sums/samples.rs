@@ -85,7 +85,7 @@ fn corrections_that_differ_in_one_number_are_not_the_same() {
         Correction { shortfall: 0.0, ..one },
         Correction { accepted: false, ..one },
     ] {
-        assert!(one != other && other != one, "{other:?}");
+        assert_ne!(one, other);
     }
     // A bad effort gives none and no damping; what was observed stays. What was rejected stays rejected.
     let spoilt = Correction { effort: f64::NAN, ..one };
