@@ -52,7 +52,7 @@ pub trait Recipe: Sync {
 /// with a stabilizer at the servo's rate.
 ///
 /// Every loop has the bits of the library's own parts: a [`Body`](lyapunov::bodies::Body), a [`Wall`] behind
-/// [`OnePortExt::stabilized`](lyapunov::effects::OnePortExt::stabilized) and
+/// [`OnePort::stabilized`](lyapunov::OnePort::stabilized) and
 /// [`differenced`](lyapunov::effects::OnePortExt::differenced).
 #[derive(Clone, Copy, Debug)]
 pub struct Loops<'a> {
