@@ -13,7 +13,7 @@ use nalgebra::SVector;
 use crate::members;
 use crate::seen::Seen;
 use crate::symbolic::Symbolic;
-use crate::tape::{self, Limit, Node, Place};
+use crate::tape::{self, Node};
 
 /// Number whose bits are compared.
 trait Real: Scalar<Mask = bool> {
@@ -113,7 +113,7 @@ impl<T: Real> Evaluated<T> {
                 let node = tape.node(place);
                 let value = match node {
                     Node::Free(index) => numbers.any(&tape.names[index as usize]),
-                    node => value(node, &values),
+                    node => node.value(&values),
                 };
                 values.push(value);
             }
@@ -127,33 +127,6 @@ impl<T: Real> Evaluated<T> {
 
     fn holds(&self, path: &Seen) -> bool {
         path.given.iter().all(|truth| self.0[truth.0 as usize] == T::of(1.0))
-    }
-}
-
-fn value<T: Real>(node: Node, values: &[T]) -> T {
-    let of = |place: Place| values[place as usize];
-    let truth = |truth: bool| T::of(if truth { 1.0 } else { 0.0 });
-    let is = |place: Place| of(place) == T::of(1.0);
-    match node {
-        Node::Free(_) => unreachable!("a free number has no operands"),
-        Node::Number(bits) => T::of(f64::from_bits(bits)),
-        Node::Limit(Limit::SmallestNormal) => T::smallest_normal(),
-        Node::Limit(Limit::SmallestPositive) => T::smallest_positive(),
-        Node::Limit(Limit::Largest) => T::largest(),
-        Node::Limit(Limit::Epsilon) => T::epsilon(),
-        Node::Neg(a) => -of(a),
-        Node::Add(a, b) => of(a) + of(b),
-        Node::Sub(a, b) => of(a) - of(b),
-        Node::Mul(a, b) => of(a) * of(b),
-        Node::Div(a, b) => of(a) / of(b),
-        Node::Root(a) => of(a).sqrt(),
-        Node::Select(mask, a, b) => of(if is(mask) { a } else { b }),
-        Node::Truth(it) => truth(it),
-        Node::Below(a, b) => truth(of(a).below(of(b))),
-        Node::Finite(a) => truth(of(a).finite()),
-        Node::And(a, b) => truth(is(a) && is(b)),
-        Node::Or(a, b) => truth(is(a) || is(b)),
-        Node::Not(a) => truth(!is(a)),
     }
 }
 

@@ -3,6 +3,8 @@
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
+use lyapunov_core::Scalar;
+
 /// Place of an operation on the tape.
 pub(crate) type Place = u32;
 
@@ -108,7 +110,7 @@ pub(crate) fn push(node: Node) -> Place {
         if let Some(place) = tape.places.get(&node) {
             return *place;
         }
-        let witness = tape.witness(node);
+        let witness = node.value(&tape.witnesses);
         tape.enter(node, witness)
     })
 }
@@ -184,41 +186,37 @@ impl Tape {
             _ => node,
         }
     }
-
-    fn witness(&self, node: Node) -> f64 {
-        let of = |place: Place| self.witnesses[place as usize];
-        let truth = |truth: bool| if truth { 1.0 } else { 0.0 };
-        match node {
-            Node::Free(_) => 0.0,
-            Node::Number(bits) => f64::from_bits(bits),
-            Node::Limit(Limit::SmallestNormal) => f64::MIN_POSITIVE,
-            Node::Limit(Limit::SmallestPositive) => f64::from_bits(1),
-            Node::Limit(Limit::Largest) => f64::MAX,
-            Node::Limit(Limit::Epsilon) => f64::EPSILON,
-            Node::Neg(a) => -of(a),
-            Node::Add(a, b) => of(a) + of(b),
-            Node::Sub(a, b) => of(a) - of(b),
-            Node::Mul(a, b) => of(a) * of(b),
-            Node::Div(a, b) => of(a) / of(b),
-            Node::Root(a) => of(a).sqrt(),
-            Node::Select(mask, a, b) => {
-                if of(mask) == 1.0 {
-                    of(a)
-                } else {
-                    of(b)
-                }
-            }
-            Node::Truth(it) => truth(it),
-            Node::Below(a, b) => truth(of(a) < of(b)),
-            Node::Finite(a) => truth(of(a).is_finite()),
-            Node::And(a, b) => of(a) * of(b),
-            Node::Or(a, b) => of(a).max(of(b)),
-            Node::Not(a) => 1.0 - of(a),
-        }
-    }
 }
 
 impl Node {
+    /// The number of the operation, given those in the places before it; a truth is 1 or 0, a free number is 0.
+    pub(crate) fn value<T: Scalar<Mask = bool>>(self, values: &[T]) -> T {
+        let of = |place: Place| values[place as usize];
+        let truth = |truth: bool| T::of(if truth { 1.0 } else { 0.0 });
+        let is = |place: Place| of(place) == T::of(1.0);
+        match self {
+            Self::Free(_) => T::of(0.0),
+            Self::Number(bits) => T::of(f64::from_bits(bits)),
+            Self::Limit(Limit::SmallestNormal) => T::smallest_normal(),
+            Self::Limit(Limit::SmallestPositive) => T::smallest_positive(),
+            Self::Limit(Limit::Largest) => T::largest(),
+            Self::Limit(Limit::Epsilon) => T::epsilon(),
+            Self::Neg(a) => -of(a),
+            Self::Add(a, b) => of(a) + of(b),
+            Self::Sub(a, b) => of(a) - of(b),
+            Self::Mul(a, b) => of(a) * of(b),
+            Self::Div(a, b) => of(a) / of(b),
+            Self::Root(a) => of(a).sqrt(),
+            Self::Select(mask, a, b) => of(if is(mask) { a } else { b }),
+            Self::Truth(it) => truth(it),
+            Self::Below(a, b) => truth(of(a).below(of(b))),
+            Self::Finite(a) => truth(of(a).finite()),
+            Self::And(a, b) => truth(is(a) && is(b)),
+            Self::Or(a, b) => truth(is(a) || is(b)),
+            Self::Not(a) => truth(!is(a)),
+        }
+    }
+
     /// The places that the node reads.
     pub(crate) fn reads(self) -> Vec<Place> {
         match self {

@@ -91,7 +91,7 @@ fn count(told: &[Told<'_>]) -> PyResult<usize> {
     }
 }
 
-/// What the stabilizer of every loop is made of.
+/// Maker of the stabilizer of every loop.
 fn recipe(py: Python<'_>, stabilizer: Option<&Stabilizer>) -> PyResult<Recipe> {
     match stabilizer {
         Some(stabilizer) if stabilizer.count() != 1 || stabilizer.recipe.object.is_some() => {

@@ -5,8 +5,9 @@ use serde::Serialize;
 
 use super::axis::{Axis, Spacing};
 use super::bounds::Bounds;
-use super::run::{Method, Run, Workload};
+use super::run::{Method, Run};
 use super::survey::Survey;
+use super::workload::Workload;
 use crate::measure::{Oddity, Verdict};
 use crate::simulate::F64x8;
 use crate::simulate::family::{Judgement, StabilizerName};

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use super::grid::{Grid, GridError, Tile};
 use super::kernel::{Kernel, Lanes};
 use super::run_error::RunError;
+use super::workload::Workload;
 use crate::measure::runs::{AllMeasures, Judged, Measures, Outcome, Runs, has_lanes};
 use crate::measure::{Verdict, Yardstick};
 use crate::show::OutputError;
@@ -33,19 +34,6 @@ pub enum Method {
     Lanes(Instructions),
     /// One by one.
     Single,
-}
-
-/// Cost of a computation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Workload {
-    /// The number of cells.
-    pub cells: u64,
-    /// Ticks of all rollouts, each counted to the end of its run even if it was stopped before.
-    pub rollout_steps: u64,
-    /// Time spent on the verdicts, s.
-    pub kernel_seconds: f64,
-    /// Time spent on measuring the runs that do not grow, s; 0 where that happens along with the verdict.
-    pub measures_seconds: f64,
 }
 
 /// The kernel of a tile, whose cells count from 0, and the tile's first cell.

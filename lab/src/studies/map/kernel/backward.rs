@@ -3,8 +3,6 @@
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};
 use lyapunov::{Mask, Scalar};
 
-use super::proven::Proven;
-use super::vectors::{F32s, F64s};
 use crate::simulate::Aligned;
 
 /// A scalar with fused multiplication and addition, in one rounding. A step of the loop must not use it, because its
@@ -45,22 +43,8 @@ macro_rules! lanes {
     )+};
 }
 
-macro_rules! vectors {
-    ($($lanes:ident),+) => {$(
-        impl<S: Proven, const N: usize> Fuse for $lanes<S, N> {
-            const IS_FUSED: bool = true;
-
-            #[inline(always)]
-            fn fused(self, factor: Self, term: Self) -> Self {
-                Self::fused(self, factor, term)
-            }
-        }
-    )+};
-}
-
 alone!(f32, f64);
 lanes!(AutoF64x8, AutoF32x16);
-vectors!(F32s, F64s);
 
 /// Period as a divisor.
 #[derive(Clone, Copy, Debug)]

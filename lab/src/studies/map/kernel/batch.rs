@@ -4,8 +4,6 @@ use lyapunov::lanes::{AutoF32x16, AutoF64x8};
 use pulp::NullaryFnOnce;
 
 use super::backward::Fuse;
-use super::proven::Proven;
-use super::vectors::{F32s, F64s};
 use crate::simulate::Aligned;
 
 /// A scalar that rollouts run on.
@@ -40,19 +38,3 @@ plain! {
     Aligned<AutoF64x8>, 4, false;
     Aligned<AutoF32x16>, 4, false;
 }
-
-macro_rules! vectors {
-    ($($lanes:ident),+) => {$(
-        // Their vectors wait for one another, of which there are several.
-        impl<S: Proven, const N: usize> Batch for $lanes<S, N> {
-            const BESIDE: usize = 1;
-            const IN_REGISTERS: bool = true;
-
-            fn run<J: NullaryFnOnce>(job: J) -> J::Output {
-                S::here().run(job)
-            }
-        }
-    )+};
-}
-
-vectors!(F32s, F64s);

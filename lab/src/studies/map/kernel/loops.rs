@@ -39,7 +39,7 @@ impl Numbers<'_> {
     }
 }
 
-/// What the stabilizer of every loop is made of.
+/// Maker of the stabilizer of every loop.
 pub trait Recipe: Sync {
     /// The stabilizer, with the same numbers in every lane.
     ///

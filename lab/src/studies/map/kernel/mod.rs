@@ -12,9 +12,11 @@ mod loops;
 mod meter;
 mod parts;
 mod port;
+#[cfg(target_arch = "x86_64")]
 mod proven;
 mod rollout;
 mod seats;
+#[cfg(target_arch = "x86_64")]
 mod vectors;
 
 use lyapunov::lanes::{AutoF32x16, AutoF64x8};

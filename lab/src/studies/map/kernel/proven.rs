@@ -54,7 +54,6 @@ macro_rules! proven {
     )+};
 }
 
-#[cfg(target_arch = "x86_64")]
 proven! {
     pulp::x86::V3, kept in AVX2;
     pulp::x86::V4, kept in AVX512;

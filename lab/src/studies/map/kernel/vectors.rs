@@ -8,8 +8,11 @@ use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub
 
 use lyapunov::{Mask, Scalar, Signal};
 use num_traits::{One, Zero};
+use pulp::NullaryFnOnce;
 use pulp::bytemuck::{cast_slice, cast_slice_mut};
 
+use super::backward::Fuse;
+use super::batch::Batch;
 use super::proven::Proven;
 
 macro_rules! operators {
@@ -94,16 +97,6 @@ macro_rules! vectors {
 
             fn values(&self) -> &[$real] {
                 cast_slice(&self.vectors)
-            }
-
-            /// `self factor + term`, rounded once.
-            #[inline(always)]
-            pub(super) fn fused(self, factor: Self, term: Self) -> Self {
-                let (mut vectors, proof) = (self.vectors, self.proof);
-                for (place, one) in vectors.iter_mut().enumerate() {
-                    *one = proof.$fused(*one, factor.vectors[place], term.vectors[place]);
-                }
-                Self { proof, vectors }
             }
         }
 
@@ -256,6 +249,29 @@ macro_rules! vectors {
             #[inline(always)]
             fn magnitude(self) -> Self {
                 self.with(self, |proof, one, _| proof.$abs(one))
+            }
+        }
+
+        impl<S: Proven, const N: usize> Fuse for $lanes<S, N> {
+            const IS_FUSED: bool = true;
+
+            #[inline(always)]
+            fn fused(self, factor: Self, term: Self) -> Self {
+                let (mut vectors, proof) = (self.vectors, self.proof);
+                for (place, one) in vectors.iter_mut().enumerate() {
+                    *one = proof.$fused(*one, factor.vectors[place], term.vectors[place]);
+                }
+                Self { proof, vectors }
+            }
+        }
+
+        // Their vectors wait for one another, of which there are several.
+        impl<S: Proven, const N: usize> Batch for $lanes<S, N> {
+            const BESIDE: usize = 1;
+            const IN_REGISTERS: bool = true;
+
+            fn run<J: NullaryFnOnce>(job: J) -> J::Output {
+                S::here().run(job)
             }
         }
 
