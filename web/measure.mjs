@@ -12,36 +12,41 @@ const MAPS = 3;
 const SECONDS = 4;
 const RATE = 1000;
 
+/** `read()`, or nothing where the process or thread has ended. */
+function still(read) {
+  try {
+    return read();
+  } catch {
+    return undefined;
+  }
+}
+
 const parentOf = (pid) => Number(readFileSync(`/proc/${pid}/stat`, "utf8").replace(/^.*\) \S /s, "").split(" ")[0]);
 
 /** The processes that `pid` started, and those that they started. */
 function family(pid) {
   const all = readdirSync("/proc").filter((it) => /^\d+$/.test(it)).map(Number);
-  const parents = new Map(all.flatMap((it) => {
-    try {
-      return [[it, parentOf(it)]];
-    } catch {
-      return [];
-    }
-  }));
-  const within = (it) => it === pid || (parents.has(it) && within(parents.get(it)));
+  const parents = new Map(all.map((it) => [it, still(() => parentOf(it))]));
+  const within = (it) => it === pid || (parents.get(it) !== undefined && within(parents.get(it)));
   return all.filter(within);
 }
 
-/** Processor time of the browser's threads with this name, ms. */
-function spent(browser, name) {
+/** Processor time of the browser's threads that `chosen` is true of, by process, thread and name, ms. */
+function spent(browser, chosen) {
   let all = 0;
   for (const pid of family(browser.child.pid)) {
-    for (const task of readdirSync(`/proc/${pid}/task`)) {
+    for (const task of (still(() => readdirSync(`/proc/${pid}/task`)) ?? []).map(Number)) {
       const place = `/proc/${pid}/task/${task}`;
-      if (readFileSync(`${place}/comm`, "utf8").trim().startsWith(name)) all += Number(readFileSync(`${place}/schedstat`, "utf8").split(" ")[0]) / 1e6;
+      const name = still(() => readFileSync(`${place}/comm`, "utf8").trim());
+      if (name !== undefined && chosen(pid, task, name)) all += still(() => Number(readFileSync(`${place}/schedstat`, "utf8").split(" ")[0]) / 1e6) ?? 0;
     }
   }
   return all;
 }
 
-const WORKER = "DedicatedWorker";
-const MAIN = "CrRendererMain";
+const WORKER = (pid, task, name) => name.startsWith("DedicatedWorker");
+// The first thread of a process keeps the name of the program.
+const MAIN = (pid, task) => task === pid && readFileSync(`/proc/${pid}/cmdline`, "utf8").includes("--type=renderer");
 const browser = new Browser(chromium);
 try {
   const page = await browser.open(`file://${resolve(file)}`, { width: 1280, height: 900 });

@@ -92,7 +92,7 @@ function curve(c, { rows, columns, colour }, of, times, x, y, width) {
   };
   const most = 1e5;
   for (let at = 0; at < rows.length; at += columns.width) {
-    const place = Math.round(x(rows[at]) * 2) / 2;
+    const place = Math.round(x(rows[at]));
     const value = Math.max(-most, Math.min(most, y(rows[at + columns[of]] * times)));
     if (place < -2 || place > width + 2) continue;
     if (place !== column) {
@@ -107,5 +107,7 @@ function curve(c, { rows, columns, colour }, of, times, x, y, width) {
   flush();
   c.strokeStyle = colour;
   c.lineWidth = 1.6;
+  // Round joins take as long as all else in a frame, and are not seen at this width.
+  c.lineJoin = "bevel";
   c.stroke();
 }

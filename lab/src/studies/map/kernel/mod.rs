@@ -12,19 +12,23 @@ mod loops;
 mod meter;
 mod parts;
 mod port;
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
 mod proven;
 mod rollout;
 mod seats;
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
 mod vectors;
 
-use lyapunov::lanes::{AutoF32x16, AutoF64x8};
+use lyapunov::lanes::AutoF32x16;
+#[cfg(not(target_feature = "simd128"))]
+use lyapunov::lanes::AutoF64x8;
 use lyapunov::{
     Dissipation, Lolc, ParameterError, PortEnergy, Scalar, candidates::InContact,
     stabilizers::NoStabilizer,
 };
 
+#[cfg(target_feature = "simd128")]
+use pulp::wasm::Simd128;
 #[cfg(target_arch = "x86_64")]
 use pulp::x86::{V3, V4};
 
@@ -47,7 +51,9 @@ use proven::Proven;
 use rollout::Rollouts;
 use seats::{Along, Seats};
 #[cfg(target_arch = "x86_64")]
-use vectors::{F32s, F64s};
+use vectors::F32s;
+#[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
+use vectors::F64s;
 
 /// The most ticks of a run in `f32`, which cannot count more.
 const COUNTED: u64 = 1 << 24;
@@ -115,7 +121,7 @@ impl Kernel {
         let is_wide = self.along.base.scalar == Width::F64;
         match (self.lanes, self.instructions) {
             (Lanes::One, _) => 1,
-            (Lanes::Many, Instructions::Base) if is_wide => AutoF64x8::LANES,
+            (Lanes::Many, Instructions::Base) if is_wide => BaseF64s::LANES,
             (Lanes::Many, Instructions::Base) => AutoF32x16::LANES,
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx2(_)) => lanes_of::<V3>(is_wide),
@@ -157,7 +163,7 @@ impl Kernel {
         cells: &[u64],
     ) -> Result<Vec<(Verdict, Yardstick)>, ParameterError> {
         let run = Run { kernel: self, basic_name, cells, go_on: &|| true };
-        Ok(run.on::<Aligned<AutoF64x8>, Judge>(Judge)?.unwrap_or_default())
+        Ok(run.on::<BaseF64s, Judge>(Judge)?.unwrap_or_default())
     }
 
     /// Measures of the runs of `cells` under `basic_name`.
@@ -184,9 +190,7 @@ impl Kernel {
         match (self.lanes, self.instructions) {
             (Lanes::One, _) if is_wide => run.on::<f64, W>(watching),
             (Lanes::One, _) => run.on::<f32, W>(watching),
-            (Lanes::Many, Instructions::Base) if is_wide => {
-                run.on::<Aligned<AutoF64x8>, W>(watching)
-            }
+            (Lanes::Many, Instructions::Base) if is_wide => run.on::<BaseF64s, W>(watching),
             (Lanes::Many, Instructions::Base) => run.on::<Aligned<AutoF32x16>, W>(watching),
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx2(proof)) => {
@@ -201,8 +205,14 @@ impl Kernel {
 }
 
 /// Vectors of a group: one computes while another waits for a quotient, and together they fit into the registers.
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
 const VECTORS: usize = 2;
+
+/// Lanes of `f64` that every processor of the target has.
+#[cfg(not(target_feature = "simd128"))]
+type BaseF64s = Aligned<AutoF64x8>;
+#[cfg(target_feature = "simd128")]
+type BaseF64s = F64s<Simd128, VECTORS>;
 
 /// Lanes of a group on vectors of `S`.
 #[cfg(target_arch = "x86_64")]

@@ -1,5 +1,6 @@
 //! Proof that this processor has the instructions of a vector.
 
+#[cfg(target_arch = "x86_64")]
 use std::cell::Cell;
 use std::fmt::Debug;
 
@@ -10,7 +11,14 @@ use pulp::{NullaryFnOnce, Simd};
 /// Operators and constants of a [`Scalar`](lyapunov::Scalar) have no argument that could carry the proof, so they look
 /// for it where the thread keeps it. Nothing in a loop writes there, so that the compiler looks once for all ticks.
 pub(super) trait Proven: Simd + Debug + 'static {
+    /// Whether they multiply and add with one rounding.
+    const FUSES: bool;
+
+    /// Whether their minimum and maximum choose as [`Scalar`](lyapunov::Scalar)'s do, zeros and NaN included.
+    const CHOOSES: bool;
+
     /// Keeps this proof for the thread.
+    #[cfg(target_arch = "x86_64")]
     fn prove(self);
 
     /// The proof that the thread keeps.
@@ -27,6 +35,7 @@ fn unproven() -> ! {
     unreachable!("vectors are made after their instructions were proven")
 }
 
+#[cfg(target_arch = "x86_64")]
 macro_rules! proven {
     ($($token:ty, kept in $cell:ident);+ $(;)?) => {$(
         thread_local! {
@@ -34,6 +43,9 @@ macro_rules! proven {
         }
 
         impl Proven for $token {
+            const FUSES: bool = true;
+            const CHOOSES: bool = true;
+
             fn prove(self) {
                 $cell.set(Some(self));
             }
@@ -54,7 +66,25 @@ macro_rules! proven {
     )+};
 }
 
+#[cfg(target_arch = "x86_64")]
 proven! {
     pulp::x86::V3, kept in AVX2;
     pulp::x86::V4, kept in AVX512;
+}
+
+// The whole program is compiled for them, so there is nothing to keep.
+#[cfg(target_feature = "simd128")]
+impl Proven for pulp::wasm::Simd128 {
+    const FUSES: bool = false;
+    const CHOOSES: bool = false;
+
+    #[inline(always)]
+    fn here() -> Self {
+        Self::try_new().unwrap_or_else(|| unproven())
+    }
+
+    #[inline(always)]
+    fn run<J: NullaryFnOnce>(self, job: J) -> J::Output {
+        job.call()
+    }
 }

@@ -235,15 +235,20 @@ macro_rules! vectors {
                 $mask { proof, vectors: std::array::from_fn(less) }
             }
 
-            // The processor's minimum and maximum choose as these do, zeros and NaN included.
             #[inline(always)]
             fn larger(self, other: Self) -> Self {
-                self.with(other, |proof, one, other| proof.$max(one, other))
+                self.with(other, |proof, one, other| match S::CHOOSES {
+                    true => proof.$max(one, other),
+                    false => proof.$select(proof.$less(other, one), one, other),
+                })
             }
 
             #[inline(always)]
             fn smaller(self, other: Self) -> Self {
-                self.with(other, |proof, one, other| proof.$min(one, other))
+                self.with(other, |proof, one, other| match S::CHOOSES {
+                    true => proof.$min(one, other),
+                    false => proof.$select(proof.$less(one, other), one, other),
+                })
             }
 
             #[inline(always)]
@@ -253,7 +258,7 @@ macro_rules! vectors {
         }
 
         impl<S: Proven, const N: usize> Fuse for $lanes<S, N> {
-            const IS_FUSED: bool = true;
+            const IS_FUSED: bool = S::FUSES;
 
             #[inline(always)]
             fn fused(self, factor: Self, term: Self) -> Self {
@@ -324,6 +329,7 @@ vectors! {
     less_than_f64s select_f64s first_true_m64s and_m64s or_m64s xor_m64s
 }
 
+#[cfg(target_arch = "x86_64")]
 vectors! {
     F32s of f32 in f32s, F32Mask in m32s,
     splat_f32s add_f32s sub_f32s mul_f32s div_f32s neg_f32s abs_f32s sqrt_f32s min_f32s max_f32s mul_add_f32s,
