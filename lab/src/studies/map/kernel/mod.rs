@@ -204,9 +204,10 @@ impl Kernel {
     }
 }
 
-/// Vectors of a group: one computes while another waits for a quotient, and together they fit into the registers.
+/// Vectors of a group: one computes while another waits for a quotient, and together they fit into the registers. Small ones
+/// wait longer for a quotient than for what did not fit.
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
-const VECTORS: usize = 2;
+const VECTORS: usize = if cfg!(target_feature = "simd128") { 4 } else { 2 };
 
 /// Lanes of `f64` that every processor of the target has.
 #[cfg(not(target_feature = "simd128"))]
