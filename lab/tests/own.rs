@@ -4,6 +4,7 @@ use std::fmt::Debug;
 use std::ops::ControlFlow;
 use std::sync::Once;
 
+use lyapunov::laws::Law;
 use lyapunov::{
     Correction, Dissipation, LyapunovCandidate, ParameterError, PortEnergy, PortSample, Scalar,
     Signal, Stabilizer,
@@ -11,6 +12,7 @@ use lyapunov::{
 use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use lyapunov_lab::hard::Catalogue;
+use lyapunov_lab::hard::soak::{Breach, Soak, breach};
 use lyapunov_lab::map::{Grid, Outcome, Run};
 use lyapunov_lab::own::{
     Allowed, Loop, OwnCandidate, OwnNumber, OwnStabilizer, Promise, Roster, RosterError, Search,
@@ -104,6 +106,12 @@ own!(Choosy, "choosy", [COUNT, SIZE], Damps, |on| {
     assert!(on.number::<f64>(SIZE) > 0.0 && on.number::<f64>(COUNT) >= 1.0);
     hand::<V::Scalar>(on, 1.0)
 });
+// Beyond its limit, wherever positions are counted.
+own!(Hasty, "hasty", [CAP], Damps, |on| hand::<V::Scalar>(on, 1.0).map(|hand| {
+    let counts = on.scene().is_some_and(|scene| scene.effects.encoder.is_some());
+    let factor = V::Scalar::of(if counts { 1.5 } else { 1.0 });
+    Hand { limit: hand.limit * factor, ..hand }
+}));
 
 /// What the device's own damper burns, as the library's candidate has it.
 struct MyDamping;
@@ -129,6 +137,7 @@ fn name(name: &str) -> StabilizerName {
             .stabilizer::<Idle>()
             .stabilizer::<IdleLiar>()
             .stabilizer::<Choosy>()
+            .stabilizer::<Hasty>()
             .candidate::<MyDamping>();
         roster.enter().unwrap();
     });
@@ -264,12 +273,38 @@ fn hard_judges_by_what_is_declared() {
 }
 
 #[test]
+fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
+    let soaked = |it: &str| {
+        let soak = Soak { seed: 1, stabilizer: Some(name(it)) };
+        soak.run(&mut |cases| match cases < 512 {
+            true => ControlFlow::Continue(()),
+            false => ControlFlow::Break(()),
+        })
+    };
+    assert_eq!(soaked("my-popc").found, None);
+    let told = soaked("hasty");
+    let found = told.found.clone().expect("a broken promise");
+    assert!(matches!(found.broken, Breach::Law { law: Law::WithinLimit, .. }), "{told}");
+    assert_eq!(soaked("hasty"), told);
+
+    let text = found.file("lyapunov hard soak.toml");
+    assert_eq!(breach(&parsed(&text)).unwrap(), Some(found.broken), "{text}");
+    let table: toml::Table = text.parse().unwrap();
+    let effects: Vec<_> = table["effects"].as_table().unwrap().keys().collect();
+    assert_eq!(effects, ["encoder"], "{text}");
+    let tables: Vec<_> = table.keys().filter(|key| table[*key].is_table()).collect();
+    assert!(tables.len() <= 5 && !text.contains("link"), "{text}");
+    // A run as long as it takes to break it.
+    assert!(parsed(&text).ticks() < 50, "{text}");
+}
+
+#[test]
 fn names_and_lists_of_names_know_own_ones() {
     name("none");
     let told = "my-pop".parse::<StabilizerName>().unwrap_err().to_string();
     assert!(told.contains("did you mean `my-popc`?") && told.contains("lolc-my-damping"), "{told}");
     let all: StabilizerNames = "all".parse().unwrap();
-    assert_eq!(all.len(), StabilizerName::ALL.len() + 7);
+    assert_eq!(all.len(), StabilizerName::ALL.len() + 8);
     let fits = all.on(&shipped("hold"));
     assert!(fits.contains(&name("my-popc")) && !fits.contains(&name("choosy")));
     assert_eq!(StabilizerName::all().last(), Some(name("lolc-my-damping")));

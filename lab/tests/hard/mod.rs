@@ -2,4 +2,4 @@
 
 mod family;
 mod own;
-mod search;
+mod soak;

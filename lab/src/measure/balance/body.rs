@@ -70,6 +70,8 @@ pub(super) struct Passed {
     pub(super) burnt: [f64; 3],
     /// Gained by kinetic and spring energy.
     pub(super) gained: f64,
+    /// Stored at the end.
+    pub(super) stored: f64,
 }
 
 impl Add for Passed {
@@ -81,6 +83,7 @@ impl Add for Passed {
             push: self.push + other.push,
             burnt: [0, 1, 2].map(|index| self.burnt[index] + other.burnt[index]),
             gained: self.gained + other.gained,
+            stored: self.stored + other.stored,
         }
     }
 }
@@ -138,7 +141,7 @@ impl Body {
     ) -> Passed {
         let rest = self.rest(tick, axis);
         let push = if axis == 0 { (self.push)(tick) } else { 0.0 };
-        let start = self.stored(from, rest);
+        let (start, stored) = (self.stored(from, rest), self.stored(to, rest));
         let state = self.state(from, rest, effort - push);
         let burnt = &self.shape.burnt;
         let burn =
@@ -149,7 +152,8 @@ impl Body {
             hand: start - before,
             push: push * (to.device[0] - from.device[0]),
             burnt: [burn(0, device), burn(1, self.shape.damping), burn(2, link)],
-            gained: self.stored(to, rest) - before,
+            gained: stored - before,
+            stored,
         }
     }
 

@@ -11,13 +11,13 @@ mod looped;
 mod member;
 mod naive;
 mod report;
+pub mod soak;
 mod table;
 mod tally;
 mod trial;
 mod watched;
 
 pub use case::{Case, Outcome, Row, Verdicts};
-pub use looped::watch;
 pub use naive::Naive;
 pub use tally::Tally;
 pub use trial::{HardError, MakeStabilizer};

@@ -71,25 +71,12 @@ pub(super) struct Meters(Vec<Meter>);
 
 impl Meters {
     pub(super) fn new<T: Scalar>(terms: Terms) -> Self {
-        let meter = Meter {
-            tick: 0,
-            shaken: false,
-            balance: Balance::new(
-                T::epsilon().lane(0) / 2.0,
-                T::smallest_normal().lane(0),
-                terms.pledge.budget,
-            ),
-            held: match &terms.pledge.credit {
-                Credit::Reference { reference, start: [x, v] } => reference.stored(*x, *v),
-                _ => 0.0,
-            },
-            epsilon: T::epsilon().lane(0),
-            tiny: T::smallest_normal().lane(0),
-            largest: T::largest().lane(0),
-            tally: Tally::default(),
-            terms,
-        };
-        Self(vec![meter; T::LANES])
+        Self(vec![Meter::new::<T>(terms); T::LANES])
+    }
+
+    /// Meters of lanes on terms of their own.
+    pub(super) fn of_lanes<T: Scalar>(terms: impl IntoIterator<Item = Terms>) -> Self {
+        Self(terms.into_iter().map(Meter::new::<T>).collect())
     }
 
     /// Adds one tick: the stabilizer's sample and effort, and its correction.
@@ -230,6 +217,27 @@ struct Meter {
 }
 
 impl Meter {
+    fn new<T: Scalar>(terms: Terms) -> Self {
+        Self {
+            tick: 0,
+            shaken: false,
+            balance: Balance::new(
+                T::epsilon().lane(0) / 2.0,
+                T::smallest_normal().lane(0),
+                terms.pledge.budget,
+            ),
+            held: match &terms.pledge.credit {
+                Credit::Reference { reference, start: [x, v] } => reference.stored(*x, *v),
+                _ => 0.0,
+            },
+            epsilon: T::epsilon().lane(0),
+            tiny: T::smallest_normal().lane(0),
+            largest: T::largest().lane(0),
+            tally: Tally::default(),
+            terms,
+        }
+    }
+
     fn watch(&mut self, sight: Sight) {
         self.book(&sight);
         self.judge(&sight);
@@ -341,7 +349,7 @@ impl Meter {
             self.tally.require(Law::Balances, off <= 1.0, tick);
         }
         self.tally.correction = larger(self.tally.correction, correction);
-        self.shaken = !sound;
+        self.shaken = !sound || !sight.accepted;
     }
 
     fn measure(&mut self, sight: &Sight) {
