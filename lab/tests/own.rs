@@ -6,12 +6,13 @@ use std::sync::Once;
 
 use lyapunov::laws::Law;
 use lyapunov::{
-    Correction, Dissipation, LyapunovCandidate, ParameterError, PortEnergy, PortSample, Scalar,
-    Signal, Stabilizer,
+    Correction, Dissipation, LyapunovCandidate, Mask, ParameterError, PortEnergy, PortSample,
+    Scalar, Signal, Stabilizer,
 };
 use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use lyapunov_lab::hard::Catalogue;
+use lyapunov_lab::hard::faults::{Broken, sweep};
 use lyapunov_lab::hard::soak::{Breach, Soak, breach};
 use lyapunov_lab::map::{Grid, Outcome, Run};
 use lyapunov_lab::own::{
@@ -113,6 +114,62 @@ own!(Hasty, "hasty", [CAP], Damps, |on| hand::<V::Scalar>(on, 1.0).map(|hand| {
     Hand { limit: hand.limit * factor, ..hand }
 }));
 
+/// A hand that makes a mistake.
+struct Mistaken<T> {
+    hand: Hand<T>,
+    mistake: Mistake,
+    tick: u64,
+}
+
+enum Mistake {
+    /// Half of the damping that it tells.
+    Halves,
+    /// A tick now and then without the work of its sample.
+    Dozes,
+    /// Nothing that it accepts on the tick after one that it rejected.
+    IsDazed { rejected: bool },
+}
+
+impl<V: Signal> Stabilizer<V> for Mistaken<V::Scalar> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.tick += 1;
+        match self.mistake {
+            Mistake::Halves => {
+                let told = self.hand.stabilize(sample, effort);
+                let half = (told.effort - effort).scale(V::Scalar::of(0.5));
+                let corrected = V::choose(told.accepted, effort + half, told.effort);
+                Correction { effort: corrected, ..told }
+            }
+            Mistake::Dozes if self.tick % 37 == 0 => {
+                self.hand.stabilize(&PortSample { work: V::zero(), ..*sample }, effort)
+            }
+            Mistake::Dozes => self.hand.stabilize(sample, effort),
+            Mistake::IsDazed { rejected } => {
+                let told = self.hand.stabilize(sample, effort);
+                self.mistake = Mistake::IsDazed { rejected: !told.accepted.all() };
+                let refused = Correction {
+                    effort: V::zero(),
+                    alpha: V::Scalar::of(0.0),
+                    accepted: Mask::of(false),
+                    ..told
+                };
+                if rejected { refused } else { told }
+            }
+        }
+    }
+}
+
+fn mistaken<T: Scalar>(on: &Loop<'_>, mistake: Mistake) -> Result<Mistaken<T>, ParameterError> {
+    Ok(Mistaken { hand: hand(on, 1.0)?, mistake, tick: 0 })
+}
+
+own!(Halving, "halving", [CAP], Damps, |on| mistaken::<V::Scalar>(on, Mistake::Halves));
+own!(Dazed, "dazed", [CAP], Damps, |on| mistaken::<V::Scalar>(
+    on,
+    Mistake::IsDazed { rejected: false }
+));
+own!(Dozing, "dozing", [CAP], Serves, |on| mistaken::<V::Scalar>(on, Mistake::Dozes));
+
 /// What the device's own damper burns, as the library's candidate has it.
 struct MyDamping;
 
@@ -138,6 +195,9 @@ fn name(name: &str) -> StabilizerName {
             .stabilizer::<IdleLiar>()
             .stabilizer::<Choosy>()
             .stabilizer::<Hasty>()
+            .stabilizer::<Halving>()
+            .stabilizer::<Dozing>()
+            .stabilizer::<Dazed>()
             .candidate::<MyDamping>();
         roster.enter().unwrap();
     });
@@ -282,6 +342,13 @@ fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
         })
     };
     assert_eq!(soaked("my-popc").found, None);
+    for (mistaken, broken) in [("halving", Law::Injects), ("dozing", Law::Balances)] {
+        let told = soaked(mistaken);
+        let found = told.found.as_ref().expect("a broken promise");
+        assert!(matches!(found.broken, Breach::Law { law, .. } if law == broken), "{told}");
+        // Without the stabilizer there is no promise to be broken.
+        assert!(found.scene.contains(&format!("[stabilizer.{mistaken}]")), "{told}");
+    }
     let told = soaked("hasty");
     let found = told.found.clone().expect("a broken promise");
     assert!(matches!(found.broken, Breach::Law { law: Law::WithinLimit, .. }), "{told}");
@@ -299,12 +366,27 @@ fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
 }
 
 #[test]
+fn a_sweep_of_faults_finds_who_does_not_recover() {
+    let scene = shipped("press-1khz");
+    let swept = |it: &str| {
+        let scene = name(it).written_in(&scene, &[]).unwrap();
+        sweep(&scene, &[5], 200).unwrap()
+    };
+    let right = swept("my-popc");
+    assert!(right.found.is_none() && right.recovery == 1, "{right:?}");
+    let found = swept("dazed").found.expect("a breach");
+    assert_eq!(found.broken, Broken::Law(Law::Recovers), "{found}");
+    let found = swept("halving").found.expect("a breach");
+    assert_eq!(found.broken, Broken::Law(Law::Injects), "{found}");
+}
+
+#[test]
 fn names_and_lists_of_names_know_own_ones() {
     name("none");
     let told = "my-pop".parse::<StabilizerName>().unwrap_err().to_string();
     assert!(told.contains("did you mean `my-popc`?") && told.contains("lolc-my-damping"), "{told}");
     let all: StabilizerNames = "all".parse().unwrap();
-    assert_eq!(all.len(), StabilizerName::ALL.len() + 8);
+    assert_eq!(all.len(), StabilizerName::ALL.len() + 11);
     let fits = all.on(&shipped("hold"));
     assert!(fits.contains(&name("my-popc")) && !fits.contains(&name("choosy")));
     assert_eq!(StabilizerName::all().last(), Some(name("lolc-my-damping")));

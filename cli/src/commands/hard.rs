@@ -31,8 +31,8 @@ const RESULTS: &str = "hard.json";
 /// Exit status: 0 every case passed or every promise is kept, 1 one failed or is not, or an internal error, 2 bad input, 130 interrupted.
 #[derive(Args, Debug)]
 pub(crate) struct Hard {
-    /// Hold every promise on this scene, TOML, instead of running the catalogue.
-    #[arg(conflicts_with_all = ["stabilizer", "minutes", "out", "json"])]
+    /// Hold every promise on this scene, TOML, also after any fault of any tick, instead of running the catalogue.
+    #[arg(conflicts_with_all = ["minutes", "out", "json"])]
     scene: Option<PathBuf>,
     /// Hold every promise on random scenes for so many minutes, or until one is broken, instead of running the
     /// catalogue.
@@ -44,8 +44,8 @@ pub(crate) struct Hard {
     /// The seed of random scenes: case k of a seed is always the same.
     #[arg(long, value_name = "N", default_value_t = 1, requires = "minutes")]
     seed: u64,
-    /// Run the cases with this stabilizer instead of ours, by its name in docs/family.md, in f64 and f32; random scenes
-    /// with this one only.
+    /// Run the cases with this stabilizer instead of ours, by its name in docs/family.md, in f64 and f32; a scene
+    /// and random scenes with this one only.
     ///
     /// A bound that it does not promise may be passed: the case is then reported as over, and is no failure.
     #[arg(long, value_name = "NAME")]

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use indicatif::ProgressBar;
+use lyapunov_lab::hard::faults::{SPACING, sweep};
 use lyapunov_lab::hard::soak::{Soak, breach};
 use lyapunov_lab::scene::Scene;
 
@@ -30,12 +31,49 @@ impl Hard {
     pub(super) fn hold(&self, path: &Path) -> Result<(), End> {
         let scene = Scene::load(path).map_err(End::input)?;
         let name = path.display();
+        let scene = match self.stabilizer {
+            None => scene,
+            Some(member) if member.fits(&scene) => member
+                .written_in(&scene, &[])
+                .map_err(|error| End::input(format_args!("{name}: {error}")))?,
+            Some(member) => {
+                return Err(End::input(format_args!("{name}: lacks what `{member}` is set by")));
+            }
+        };
         let broken = breach(&scene).map_err(|error| End::input(format_args!("{name}: {error}")))?;
-        match broken {
-            Some(broken) => Err(End::Failed(format!("{name}: {broken}"))),
-            None if self.quiet => Ok(()),
-            None => told(&format!("{name}: every promise is kept\n")),
+        if let Some(broken) = broken {
+            return Err(End::Failed(format!("{name}: {broken}")));
         }
+        let faults =
+            if scene.stabilizer.is_some() { self.faults(path, &scene)? } else { String::new() };
+        match self.quiet {
+            true => Ok(()),
+            false => told(&format!("{name}: every promise is kept\n{faults}")),
+        }
+    }
+
+    /// Sweeps every fault through every tick of a scene.
+    fn faults(&self, path: &Path, scene: &Scene) -> Result<String, End> {
+        let name = path.display();
+        let bar = match self.quiet {
+            true => ProgressBar::hidden(),
+            false => shown(ProgressBar::new(SPACING), BAR),
+        };
+        let (mut faults, mut recovery) = (0, 0);
+        for first in 0..SPACING {
+            End::if_interrupted()?;
+            let swept = sweep(scene, &[first], u64::MAX);
+            let swept = swept.map_err(|error| End::input(format_args!("{name}: {error}")))?;
+            if let Some(found) = swept.found {
+                return Err(End::Failed(format!("{name}: {found}")));
+            }
+            (faults, recovery) = (faults + swept.faults, recovery.max(swept.recovery));
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        Ok(format!(
+            "after {faults} faults too; every sample is accepted again after {recovery} tick\n"
+        ))
     }
 
     /// Holds the promises on random scenes.

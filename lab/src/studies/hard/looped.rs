@@ -5,8 +5,9 @@ use lyapunov::{ParameterError, Scalar};
 use super::member;
 use super::naive::Naive;
 use super::tally::Tally;
+use super::terms::{Terms, Unsound};
 use super::trial::{HardError, MakeStabilizer, Runs, Trial};
-use super::watched::{Meters, Terms};
+use super::watched::Meters;
 use crate::files::scene::{Candidate, Finite, Lolc, Pledge, Scene, Stabilizer};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{AnyStabilizer, F64x8, Fitted, Rollout, Space, Tick};
@@ -88,7 +89,7 @@ pub(super) fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
     let most = scene.damping(cap).limit().map_or(f64::MAX, |limit| limit.most());
     let limit = (most * (1.0 + 1e-6)).min(f64::MAX);
     let force = force * (1.0 + 1e-6);
-    Terms { ticks: scene.ticks(), rest, limit, pledge, force }
+    Terms { ticks: scene.ticks(), rest, limit, pledge, force, unsound: Unsound::Range }
 }
 
 impl Trial for Looped {

@@ -7,13 +7,16 @@
 mod balance;
 mod case;
 mod cases;
+pub mod faults;
 mod looped;
 mod member;
 mod naive;
 mod report;
+mod sight;
 pub mod soak;
 mod table;
 mod tally;
+mod terms;
 mod trial;
 mod watched;
 

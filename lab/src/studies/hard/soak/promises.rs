@@ -89,8 +89,8 @@ fn alone<D: Space, S: Space>(scene: &Scene) -> Result<Option<Breach>, ParameterE
 
 /// The first law that a run broke.
 fn law(scene: &Scene, numbers: &'static str, ran: &Ran) -> Option<Breach> {
-    // An uncapped run can leave the range of the scalar within one tick.
-    if is_uncapped(scene) && ran.tally.out_of_range.is_some() {
+    // The laws are those of a stabilizer; an uncapped run can leave the range of the scalar within one tick.
+    if scene.stabilizer.is_none() || is_uncapped(scene) && ran.tally.out_of_range.is_some() {
         return None;
     }
     ran.tally.broken.map(|(law, tick)| Breach::Law { numbers, law, tick })
