@@ -73,6 +73,9 @@ fn random_scenes_and_a_scene_of_yours_are_held_to_every_promise() {
 
     place.put_scene("scene.toml", "", "");
     place.run(["hard", "scene.toml"]).ended(0, &["scene.toml: every promise is kept"]);
+    place
+        .run(["hard", "scene.toml", "--stabilizer", "tank"])
+        .ended(0, &["faults too; every sample is accepted again after 1 tick"]);
     place.refuses(["hard", "none.toml"], &["none.toml"]);
     place.refuses(["hard", "--minutes", "0"], &["not a time in minutes above 0"]);
     place.refuses(["hard", "--seed", "3"], &["--minutes"]);

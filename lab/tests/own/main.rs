@@ -1,19 +1,36 @@
 //! Own stabilizers among those that ship. A target of its own, since they are entered once for a whole program.
 
+macro_rules! own {
+    ($Type:ident, $name:literal, $numbers:expr, $promise:ident, |$on:ident| $made:expr) => {
+        pub(crate) struct $Type;
+
+        impl OwnStabilizer for $Type {
+            const NAME: &'static str = $name;
+            const NUMBERS: &'static [OwnNumber] = &$numbers;
+            const PROMISE: Promise = Promise::$promise;
+
+            fn make<V: Signal>(
+                $on: &Loop<'_>,
+            ) -> Result<impl Stabilizer<V> + 'static, ParameterError> {
+                $made
+            }
+        }
+    };
+}
+
+mod soak;
+
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 use std::sync::Once;
 
-use lyapunov::laws::Law;
 use lyapunov::{
-    Correction, Dissipation, LyapunovCandidate, Mask, ParameterError, PortEnergy, PortSample,
-    Scalar, Signal, Stabilizer,
+    Correction, Dissipation, LyapunovCandidate, ParameterError, PortEnergy, PortSample, Scalar,
+    Signal, Stabilizer,
 };
 use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use lyapunov_lab::hard::Catalogue;
-use lyapunov_lab::hard::faults::{Broken, sweep};
-use lyapunov_lab::hard::soak::{Breach, Soak, breach};
 use lyapunov_lab::map::{Grid, Outcome, Run};
 use lyapunov_lab::own::{
     Allowed, Loop, OwnCandidate, OwnNumber, OwnStabilizer, Promise, Roster, RosterError, Search,
@@ -69,24 +86,6 @@ fn hand<T: Scalar>(on: &Loop<'_>, kept: f64) -> Result<Hand<T>, ParameterError> 
 const LEAK: OwnNumber = OwnNumber::new("leak", "s", Allowed::Positive, |on| 20.0 * on.period())
     .searched(|default, _| Search::ratios(0.1 * default, 10.0 * default));
 
-macro_rules! own {
-    ($Type:ident, $name:literal, $numbers:expr, $promise:ident, |$on:ident| $made:expr) => {
-        struct $Type;
-
-        impl OwnStabilizer for $Type {
-            const NAME: &'static str = $name;
-            const NUMBERS: &'static [OwnNumber] = &$numbers;
-            const PROMISE: Promise = Promise::$promise;
-
-            fn make<V: Signal>(
-                $on: &Loop<'_>,
-            ) -> Result<impl Stabilizer<V> + 'static, ParameterError> {
-                $made
-            }
-        }
-    };
-}
-
 /// The share that a leak leaves from tick to tick.
 fn left(on: &Loop<'_>) -> f64 {
     1.0 - on.period() / on.number::<f64>(LEAK).max(on.period())
@@ -107,69 +106,6 @@ own!(Choosy, "choosy", [COUNT, SIZE], Damps, |on| {
     assert!(on.number::<f64>(SIZE) > 0.0 && on.number::<f64>(COUNT) >= 1.0);
     hand::<V::Scalar>(on, 1.0)
 });
-// Beyond its limit, wherever positions are counted.
-own!(Hasty, "hasty", [CAP], Damps, |on| hand::<V::Scalar>(on, 1.0).map(|hand| {
-    let counts = on.scene().is_some_and(|scene| scene.effects.encoder.is_some());
-    let factor = V::Scalar::of(if counts { 1.5 } else { 1.0 });
-    Hand { limit: hand.limit * factor, ..hand }
-}));
-
-/// A hand that makes a mistake.
-struct Mistaken<T> {
-    hand: Hand<T>,
-    mistake: Mistake,
-    tick: u64,
-}
-
-enum Mistake {
-    /// Half of the damping that it tells.
-    Halves,
-    /// A tick now and then without the work of its sample.
-    Dozes,
-    /// Nothing that it accepts on the tick after one that it rejected.
-    IsDazed { rejected: bool },
-}
-
-impl<V: Signal> Stabilizer<V> for Mistaken<V::Scalar> {
-    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
-        self.tick += 1;
-        match self.mistake {
-            Mistake::Halves => {
-                let told = self.hand.stabilize(sample, effort);
-                let half = (told.effort - effort).scale(V::Scalar::of(0.5));
-                let corrected = V::choose(told.accepted, effort + half, told.effort);
-                Correction { effort: corrected, ..told }
-            }
-            Mistake::Dozes if self.tick % 37 == 0 => {
-                self.hand.stabilize(&PortSample { work: V::zero(), ..*sample }, effort)
-            }
-            Mistake::Dozes => self.hand.stabilize(sample, effort),
-            Mistake::IsDazed { rejected } => {
-                let told = self.hand.stabilize(sample, effort);
-                self.mistake = Mistake::IsDazed { rejected: !told.accepted.all() };
-                let refused = Correction {
-                    effort: V::zero(),
-                    alpha: V::Scalar::of(0.0),
-                    accepted: Mask::of(false),
-                    ..told
-                };
-                if rejected { refused } else { told }
-            }
-        }
-    }
-}
-
-fn mistaken<T: Scalar>(on: &Loop<'_>, mistake: Mistake) -> Result<Mistaken<T>, ParameterError> {
-    Ok(Mistaken { hand: hand(on, 1.0)?, mistake, tick: 0 })
-}
-
-own!(Halving, "halving", [CAP], Damps, |on| mistaken::<V::Scalar>(on, Mistake::Halves));
-own!(Dazed, "dazed", [CAP], Damps, |on| mistaken::<V::Scalar>(
-    on,
-    Mistake::IsDazed { rejected: false }
-));
-own!(Dozing, "dozing", [CAP], Serves, |on| mistaken::<V::Scalar>(on, Mistake::Dozes));
-
 /// What the device's own damper burns, as the library's candidate has it.
 struct MyDamping;
 
@@ -194,10 +130,10 @@ fn name(name: &str) -> StabilizerName {
             .stabilizer::<Idle>()
             .stabilizer::<IdleLiar>()
             .stabilizer::<Choosy>()
-            .stabilizer::<Hasty>()
-            .stabilizer::<Halving>()
-            .stabilizer::<Dozing>()
-            .stabilizer::<Dazed>()
+            .stabilizer::<soak::Hasty>()
+            .stabilizer::<soak::Halving>()
+            .stabilizer::<soak::Dozing>()
+            .stabilizer::<soak::Dazed>()
             .candidate::<MyDamping>();
         roster.enter().unwrap();
     });
@@ -330,54 +266,6 @@ fn hard_judges_by_what_is_declared() {
     assert!(of("lolc-my-damping").passed());
     // It needs a number that no case writes.
     assert!(of("choosy").rows.is_empty());
-}
-
-#[test]
-fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
-    let soaked = |it: &str| {
-        let soak = Soak { seed: 1, stabilizer: Some(name(it)) };
-        soak.run(&mut |cases| match cases < 512 {
-            true => ControlFlow::Continue(()),
-            false => ControlFlow::Break(()),
-        })
-    };
-    assert_eq!(soaked("my-popc").found, None);
-    for (mistaken, broken) in [("halving", Law::Injects), ("dozing", Law::Balances)] {
-        let told = soaked(mistaken);
-        let found = told.found.as_ref().expect("a broken promise");
-        assert!(matches!(found.broken, Breach::Law { law, .. } if law == broken), "{told}");
-        // Without the stabilizer there is no promise to be broken.
-        assert!(found.scene.contains(&format!("[stabilizer.{mistaken}]")), "{told}");
-    }
-    let told = soaked("hasty");
-    let found = told.found.clone().expect("a broken promise");
-    assert!(matches!(found.broken, Breach::Law { law: Law::WithinLimit, .. }), "{told}");
-    assert_eq!(soaked("hasty"), told);
-
-    let text = found.file("lyapunov hard soak.toml");
-    assert_eq!(breach(&parsed(&text)).unwrap(), Some(found.broken), "{text}");
-    let table: toml::Table = text.parse().unwrap();
-    let effects: Vec<_> = table["effects"].as_table().unwrap().keys().collect();
-    assert_eq!(effects, ["encoder"], "{text}");
-    let tables: Vec<_> = table.keys().filter(|key| table[*key].is_table()).collect();
-    assert!(tables.len() <= 5 && !text.contains("link"), "{text}");
-    // A run as long as it takes to break it.
-    assert!(parsed(&text).ticks() < 50, "{text}");
-}
-
-#[test]
-fn a_sweep_of_faults_finds_who_does_not_recover() {
-    let scene = shipped("press-1khz");
-    let swept = |it: &str| {
-        let scene = name(it).written_in(&scene, &[]).unwrap();
-        sweep(&scene, &[5], 200).unwrap()
-    };
-    let right = swept("my-popc");
-    assert!(right.found.is_none() && right.recovery == 1, "{right:?}");
-    let found = swept("dazed").found.expect("a breach");
-    assert_eq!(found.broken, Broken::Law(Law::Recovers), "{found}");
-    let found = swept("halving").found.expect("a breach");
-    assert_eq!(found.broken, Broken::Law(Law::Injects), "{found}");
 }
 
 #[test]
