@@ -43,7 +43,7 @@ impl<V: Signal> Stabilizer<V> for Mistaken<V::Scalar> {
                 let corrected = V::choose(told.accepted, effort + half, told.effort);
                 Correction { effort: corrected, ..told }
             }
-            Mistake::Dozes if self.tick % 37 == 0 => {
+            Mistake::Dozes if self.tick % 37 == 5 => {
                 self.hand.stabilize(&PortSample { work: V::zero(), ..*sample }, effort)
             }
             Mistake::Dozes => self.hand.stabilize(sample, effort),
