@@ -58,3 +58,25 @@ fn bad_input_is_refused_before_anything_runs() {
     place.refuses(["hard", "--out", "file"], &["part of the path is a file"]);
     place.refuses(["hard", "--json", "--quiet"], &["'--json' cannot be used with '--quiet'"]);
 }
+
+#[test]
+fn random_scenes_and_a_scene_of_yours_are_held_to_every_promise() {
+    let place = Place::new();
+    let soak = ["hard", "--minutes", "0.001", "--seed", "5"];
+    place.run(soak).ended(0, &["seed 5, cases 0 to", "every promise is kept"]);
+    let said = place.run([&soak[..], &["--json", "--out", "made"]].concat());
+    said.ended(0, &[]);
+    let told: Value = serde_json::from_str(&said.out).unwrap();
+    assert!(told["seed"] == 5 && told["found"].is_null() && told["cases"].as_u64() >= Some(256));
+    // Nothing was found, so that nothing is written.
+    assert!(!place.path("made").exists() && !place.path("soak.toml").exists());
+
+    place.put_scene("scene.toml", "", "");
+    place.run(["hard", "scene.toml"]).ended(0, &["scene.toml: every promise is kept"]);
+    place
+        .run(["hard", "scene.toml", "--stabilizer", "tank"])
+        .ended(0, &["faults too; every sample is accepted again after 1 tick"]);
+    place.refuses(["hard", "none.toml"], &["none.toml"]);
+    place.refuses(["hard", "--minutes", "0"], &["not a time in minutes above 0"]);
+    place.refuses(["hard", "--seed", "3"], &["--minutes"]);
+}

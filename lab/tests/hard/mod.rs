@@ -1,5 +1,6 @@
 //! The hard cases on faulty stabilizers, on the whole family and on random scenes.
 
 mod family;
+mod faults;
 mod own;
-mod search;
+mod soak;

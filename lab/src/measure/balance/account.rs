@@ -91,6 +91,11 @@ impl Balance {
         leaks.into_iter().fold(leaks[0], |one, other| if other.1 > one.1 { other } else { one })
     }
 
+    /// Sum of the magnitudes of the parts, J.
+    fn size(&self) -> f64 {
+        self.parts().iter().map(|(_, part)| part.abs()).sum()
+    }
+
     fn rest(&self) -> f64 {
         let taken = self.device + self.operator + self.link + self.wall + self.controller;
         self.gained - (self.hand + self.push + self.leaked() - taken)
@@ -121,6 +126,8 @@ pub(super) struct Account<V: Signal> {
     ticks: u64,
     last: Option<(Moment<V>, Samples<V>)>,
     whole: Balance,
+    /// The magnitudes of all energies moved and, tick by tick, stored, J.
+    moved: f64,
     first: Option<Balance>,
     touching: bool,
     left: bool,
@@ -143,6 +150,7 @@ impl<V: Space<Scalar = f64>> Account<V> {
             ticks: 0,
             last: None,
             whole: Balance::default(),
+            moved: 0.0,
             first: None,
             touching: false,
             left: false,
@@ -177,6 +185,7 @@ impl<V: Space<Scalar = f64>> Account<V> {
                 return false;
             }
             self.whole = whole;
+            self.moved += moved.size();
             if let Some(first) = self.first.as_mut().filter(|_| !self.left) {
                 book(first, &moved, samples.truly.time);
             }
@@ -191,6 +200,11 @@ impl<V: Space<Scalar = f64>> Account<V> {
         self.last = Some((tick, samples));
         self.ticks += 1;
         true
+    }
+
+    /// The magnitudes of all energies moved and, tick by tick, stored, J: what rounding is to be measured by.
+    pub(super) fn size(&self) -> f64 {
+        self.moved
     }
 
     /// The balance of the whole run and, if there was one, of the first contact.
@@ -244,7 +258,8 @@ impl<V: Space<Scalar = f64>> Account<V> {
     ) -> Balance {
         let index = self.ticks - 1;
         let passed = self.body.pass(index, last.masses, now.masses, last.acting);
-        let Passed { hand, push, burnt: [device, operator, link], gained } = passed;
+        let Passed { hand, push, burnt: [device, operator, link], gained, stored } = passed;
+        self.moved += stored;
         let way = now.masses.device[0] - last.masses.device[0];
         let Split { late, environment: clipped, controller } = last.split;
         let law = |motion: Motion<V>| self.law.force(motion);

@@ -70,6 +70,8 @@ pub(super) struct Passed {
     pub(super) burnt: [f64; 3],
     /// Gained by kinetic and spring energy.
     pub(super) gained: f64,
+    /// Stored at the end.
+    pub(super) stored: f64,
 }
 
 impl Add for Passed {
@@ -81,6 +83,7 @@ impl Add for Passed {
             push: self.push + other.push,
             burnt: [0, 1, 2].map(|index| self.burnt[index] + other.burnt[index]),
             gained: self.gained + other.gained,
+            stored: self.stored + other.stored,
         }
     }
 }
@@ -138,7 +141,7 @@ impl Body {
     ) -> Passed {
         let rest = self.rest(tick, axis);
         let push = if axis == 0 { (self.push)(tick) } else { 0.0 };
-        let start = self.stored(from, rest);
+        let (start, stored) = (self.stored(from, rest), self.stored(to, rest));
         let state = self.state(from, rest, effort - push);
         let burnt = &self.shape.burnt;
         let burn =
@@ -149,7 +152,8 @@ impl Body {
             hand: start - before,
             push: push * (to.device[0] - from.device[0]),
             burnt: [burn(0, device), burn(1, self.shape.damping), burn(2, link)],
-            gained: self.stored(to, rest) - before,
+            gained: stored - before,
+            stored,
         }
     }
 
@@ -183,11 +187,16 @@ impl Body {
     }
 
     fn state(&self, masses: Masses<f64>, rest: f64, effort: f64) -> DVector<f64> {
-        let of = |[position, velocity]: [f64; 2]| [position - rest, velocity];
-        let mut state = of(masses.device).to_vec();
-        if self.scene.link.is_some() {
-            state.extend(of(masses.operator));
-        }
+        let from = |origin: f64, [position, velocity]: [f64; 2]| [position - origin, velocity];
+        // Of a link only its stretch: a stiff one would drown in the rounding of two long ways.
+        let mut state = match self.scene.link {
+            None => from(rest, masses.device).to_vec(),
+            Some(_) => {
+                let [device, operator] =
+                    [from(masses.operator[0], masses.device), from(rest, masses.operator)];
+                [device, operator].concat()
+            }
+        };
         state.push(effort);
         DVector::from_vec(state)
     }
@@ -206,21 +215,12 @@ impl Shape {
             }
             Some(link) => {
                 let (kl, bl) = (link.stiffness.get(), link.damping.get());
-                let rates = [
-                    [0.0, 1.0, 0.0, 0.0, 0.0],
-                    [-kl / m, -(b + bl) / m, kl / m, bl / m, -1.0 / m],
-                    [0.0, 0.0, 0.0, 1.0, 0.0],
-                    [
-                        kl / operator,
-                        bl / operator,
-                        -(stiffness + kl) / operator,
-                        -(damping + bl) / operator,
-                        0.0,
-                    ],
-                    [0.0; 5],
-                ];
-                let row = |device: f64, operator: f64| vec![0.0, device, 0.0, operator, 0.0];
+                let pulled = [-kl / m, -(b + bl) / m, 0.0, bl / m, -1.0 / m];
+                let held = [kl, bl, -stiffness, -(damping + bl), 0.0].map(|it| it / operator);
+                let stretch = [0.0, 1.0, 0.0, -1.0, 0.0];
+                let rates = [stretch, pulled, [0.0, 0.0, 0.0, 1.0, 0.0], held, [0.0; 5]];
                 let rates = DMatrix::from_row_slice(5, 5, &rates.concat());
+                let row = |device: f64, operator: f64| vec![0.0, device, 0.0, operator, 0.0];
                 (rates, [row(1.0, 0.0), row(0.0, 1.0), row(1.0, -1.0)])
             }
         };
@@ -277,4 +277,21 @@ fn rest(scene: &Scene) -> Result<Value, ParameterError> {
             Box::new(move |tick| trajectory.at(tick))
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Trial;
+    use crate::files::Scene;
+
+    /// A hand of 8 g without a spring behind a link of 9e8 N/m, 6 mm from a rest that does not pull: a random scene in
+    /// which 0.18 nJ were left over, the rounding of the 16 kJ that a link of 6 mm would store.
+    #[test]
+    fn a_stiff_link_that_does_not_move_moves_no_energy() {
+        let text = "duration = 0.001\nservo_rate = 9000.0\ndevice.mass = 3.0\nlink.stiffness = 9e8\n\
+            operator = { mass = 0.008, damping = 2000.0, rest = 0.006 }\nenvironment.wall.stiffness = 3e9\n";
+        let scene = Scene::parse(text, "test").unwrap();
+        let trial = Trial::of::<f64>(&scene).unwrap();
+        assert_eq!((trial.whole.closing, trial.whole.operator, trial.moved), (0.0, 0.0, 0.0));
+    }
 }

@@ -28,6 +28,8 @@ pub(crate) struct Trial {
     pub(crate) verdict_by: Yardstick,
     pub(crate) whole: Balance,
     pub(crate) first: Option<Balance>,
+    /// The magnitudes of all energies moved and, tick by tick, stored, J: what rounding is to be measured by.
+    pub(crate) moved: f64,
     pub(crate) feel: Feel,
     /// The signs of a mistake.
     pub(crate) look_at: Vec<Oddity>,
@@ -78,11 +80,12 @@ impl Trial {
                 break;
             }
         }
+        let moved = account.size();
         let (whole, first) = account.finish();
         let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };
         let (verdict, verdict_by) = (fate.verdict(0), fate.verdict_by(0));
         let (feel, look_at) = (Feel { peak, error }, signs.finish(scene));
-        Ok(Self { verdict, verdict_by, whole, first, feel, look_at })
+        Ok(Self { verdict, verdict_by, whole, first, moved, feel, look_at })
     }
 
     /// Runs `scene`; none if the run grows, or if the loop is linear, has no stabilizer and does not decay in contact.

@@ -45,6 +45,18 @@ impl<V: Signal> AnyWrapper<V> {
 }
 
 impl<V: Space> AnyWrapper<V> {
+    /// The same wrapper with a port of its own on each side: `inside`, around the environment, and `outside`, which is
+    /// called instead of the wrapper.
+    pub(crate) fn between(
+        self,
+        inside: impl Fn(Port<V>) -> Port<V> + 'static,
+        outside: impl Fn(Port<V>) -> Port<V> + 'static,
+    ) -> Self {
+        let Self { pace, bytes, wrap } = self;
+        let wrap = move |port| Ok(outside(wrap(inside(port))?));
+        Self { pace, bytes, wrap: Box::new(wrap) }
+    }
+
     /// The wrapper around `environment`, whose answers `seen` records, called every `period` s.
     pub(super) fn around(
         &self,

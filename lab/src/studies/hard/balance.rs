@@ -18,6 +18,8 @@ pub(super) struct Balance {
     absolute: f64,
     largest: f64,
     ticks: f64,
+    /// Energy that corrections were to dissipate, where the ledger takes it for done, J.
+    served: f64,
     /// The rounding unit of the ledger's scalar.
     unit: f64,
     /// The smallest normal number of that scalar: numbers below it round by more than the unit.
@@ -28,7 +30,8 @@ impl Balance {
     /// Balance for a scalar with the rounding unit `unit` and the smallest normal number `tiny`, starting at `budget`
     /// joules.
     pub(super) fn new(unit: f64, tiny: f64, budget: f64) -> Self {
-        Self { supplied: budget.into(), absolute: budget, largest: budget, ticks: 0.0, unit, tiny }
+        let (supplied, absolute, largest) = (budget.into(), budget, budget);
+        Self { supplied, absolute, largest, ticks: 0.0, served: 0.0, unit, tiny }
     }
 
     /// All work and credit so far, J.
@@ -53,6 +56,12 @@ impl Balance {
         self.ticks += 1.0;
     }
 
+    /// Allows for the margin of a correction that is to dissipate `energy` joules, of which a ledger books the exact
+    /// debt: a served debt is exceeded by 4 ε of it and the roundings of a step, by less than 8 ε.
+    pub(super) fn allow(&mut self, energy: f64) {
+        self.served += energy;
+    }
+
     /// Error of the balance `supplied = stored − dissipated − shortfall`, as a share of the allowed
     /// `4 u (Σ |work| + ticks · largest stored)`.
     pub(super) fn off(&self, told: Told) -> f64 {
@@ -69,7 +78,8 @@ impl Balance {
 
     /// Share of the allowed error that `error` is.
     fn share(&self, error: f64) -> f64 {
-        let rounding = 4.0 * self.unit * (self.absolute + self.ticks * self.largest);
+        let sums = self.absolute + self.ticks * self.largest;
+        let rounding = 4.0 * self.unit * sums + 16.0 * self.unit * self.served;
         // Works below the smallest normal number are rounded by up to half of the smallest positive one.
         error / (rounding + 4.0 * self.ticks * self.tiny * self.unit)
     }

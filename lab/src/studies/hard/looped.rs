@@ -5,8 +5,9 @@ use lyapunov::{ParameterError, Scalar};
 use super::member;
 use super::naive::Naive;
 use super::tally::Tally;
+use super::terms::{Terms, Unsound};
 use super::trial::{HardError, MakeStabilizer, Runs, Trial};
-use super::watched::{Meters, Terms};
+use super::watched::Meters;
 use crate::files::scene::{Candidate, Finite, Lolc, Pledge, Scene, Stabilizer};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{AnyStabilizer, F64x8, Fitted, Rollout, Space, Tick};
@@ -75,28 +76,20 @@ fn looped<V: Space>(
     Ok(meters.tallies())
 }
 
-/// Measurements of the loop of `scene` under the stabilizer that it names, in the scalar of `V`. Swings are measured
-/// from the origin. The ledger is not judged where the candidate is the paper's and the environment is not a wall.
-///
-/// # Errors
-/// A parameter that is valid by itself but out of the range of the scalar, alone or together with others.
-pub fn watch<V: Space>(scene: &Scene) -> Result<Vec<Tally>, ParameterError> {
-    looped::<V>(scene, 0.0, named_in::<V>(scene), Fitted::of(scene)?)
-}
-
 /// The pledge of the stabilizer that a scene names.
-fn named_in<V: Space>(scene: &Scene) -> Pledge {
+pub(super) fn named_in<V: Space>(scene: &Scene) -> Pledge {
     member::pledge_in::<V::Scalar>(scene)
 }
 
-fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
+/// The terms of a run of `scene`, with swings measured from `rest`.
+pub(super) fn terms(scene: &Scene, rest: f64, pledge: Pledge) -> Terms {
     let cap = scene.damping_cap();
     let force = scene.effects.saturation.map_or(f64::INFINITY, |it| it.force.get());
     // The numbers of a scene are rounded once more on their way to f32.
     let most = scene.damping(cap).limit().map_or(f64::MAX, |limit| limit.most());
     let limit = (most * (1.0 + 1e-6)).min(f64::MAX);
     let force = force * (1.0 + 1e-6);
-    Terms { ticks: scene.ticks(), rest, limit, pledge, force }
+    Terms { ticks: scene.ticks(), rest, limit, pledge, force, unsound: Unsound::Range }
 }
 
 impl Trial for Looped {

@@ -7,17 +7,20 @@
 mod balance;
 mod case;
 mod cases;
+pub mod faults;
 mod looped;
 mod member;
 mod naive;
 mod report;
+mod sight;
+pub mod soak;
 mod table;
 mod tally;
+mod terms;
 mod trial;
 mod watched;
 
 pub use case::{Case, Outcome, Row, Verdicts};
-pub use looped::watch;
 pub use naive::Naive;
 pub use tally::Tally;
 pub use trial::{HardError, MakeStabilizer};

@@ -4,33 +4,13 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use lyapunov::laws::Law;
-use lyapunov::{Correction, Mask, PortSample, Scalar, Signal, Stabilizer};
+use lyapunov::{Correction, PortSample, Scalar, Signal, Stabilizer};
 
 use super::balance::{Balance, Double, Told};
+use super::sight::{AXES, Axes, Sight};
 use super::tally::{Tally, larger};
-use crate::files::scene::{Credit, LedgerKind, Manner, Pledge};
-
-/// The numbers and promises that a run is judged by.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Terms {
-    /// Ticks in all.
-    pub(super) ticks: u64,
-    /// The position that swings are measured from, m.
-    pub(super) rest: f64,
-    /// The damping limit, N·s/m.
-    pub(super) limit: f64,
-    /// The promises of the stabilizer.
-    pub(super) pledge: Pledge,
-    /// The largest force that may be applied, N.
-    pub(super) force: f64,
-}
-
-impl Terms {
-    /// Terms of a run under POPC in which nothing saturates.
-    pub(super) fn of(ticks: u64, limit: f64) -> Self {
-        Self { ticks, rest: 0.0, limit, pledge: Pledge::POPC, force: f64::INFINITY }
-    }
-}
+use super::terms::{Terms, Unsound};
+use crate::files::scene::{Credit, LedgerKind, Manner, Reference, Work};
 
 /// A stabilizer whose corrections are checked against measurements made outside of it, lane by lane.
 #[derive(Debug)]
@@ -71,25 +51,12 @@ pub(super) struct Meters(Vec<Meter>);
 
 impl Meters {
     pub(super) fn new<T: Scalar>(terms: Terms) -> Self {
-        let meter = Meter {
-            tick: 0,
-            shaken: false,
-            balance: Balance::new(
-                T::epsilon().lane(0) / 2.0,
-                T::smallest_normal().lane(0),
-                terms.pledge.budget,
-            ),
-            held: match &terms.pledge.credit {
-                Credit::Reference { reference, start: [x, v] } => reference.stored(*x, *v),
-                _ => 0.0,
-            },
-            epsilon: T::epsilon().lane(0),
-            tiny: T::smallest_normal().lane(0),
-            largest: T::largest().lane(0),
-            tally: Tally::default(),
-            terms,
-        };
-        Self(vec![meter; T::LANES])
+        Self(vec![Meter::new::<T>(terms); T::LANES])
+    }
+
+    /// Meters of lanes on terms of their own.
+    pub(super) fn of_lanes<T: Scalar>(terms: impl IntoIterator<Item = Terms>) -> Self {
+        Self(terms.into_iter().map(Meter::new::<T>).collect())
     }
 
     /// Adds one tick: the stabilizer's sample and effort, and its correction.
@@ -112,107 +79,13 @@ impl Meters {
     }
 }
 
-/// The most axes that a port may have here.
-const AXES: usize = 4;
+/// Energy that a reference stores at a position and a velocity, J.
+type Stored = fn(&Reference, f64, f64) -> f64;
 
-/// The axes of a signal in one lane.
-#[derive(Clone, Copy, Debug)]
-struct Axes {
-    values: [f64; AXES],
-    count: usize,
-}
-
-impl Axes {
-    fn of<V: Signal>(signal: V, lane: usize) -> Self {
-        let (mut values, mut count) = ([0.0; AXES], 0);
-        signal.map(|axis| {
-            values[count] = axis.lane(lane);
-            count += 1;
-            axis
-        });
-        Self { values, count }
-    }
-
-    fn finite(&self) -> bool {
-        self.all().iter().all(|axis| axis.is_finite())
-    }
-
-    fn all(&self) -> &[f64] {
-        &self.values[..self.count]
-    }
-
-    fn inner(&self, other: &Self) -> f64 {
-        self.all().iter().zip(other.all()).map(|(a, b)| a * b).sum()
-    }
-
-    fn largest(&self) -> f64 {
-        self.farthest(0.0)
-    }
-
-    /// The largest distance of an axis from `rest`.
-    fn farthest(&self, rest: f64) -> f64 {
-        self.all().iter().fold(0.0, |most, axis| larger(most, (axis - rest).abs()))
-    }
-}
-
-/// One tick of one lane.
-#[derive(Clone, Copy, Debug)]
-struct Sight {
-    period: f64,
-    position: Axes,
-    velocity: Axes,
-    displacement: Axes,
-    applied: Axes,
-    work: Axes,
-    others: Axes,
-    effort: Axes,
-    out: Axes,
-    sum: f64,
-    alpha: f64,
-    shortfall: f64,
-    accepted: bool,
-}
-
-impl Sight {
-    fn of<V: Signal>(
-        lane: usize,
-        sample: &PortSample<V>,
-        others: V,
-        effort: V,
-        correction: &Correction<V>,
-    ) -> Self {
-        Self {
-            period: sample.period.lane(lane),
-            position: Axes::of(sample.position, lane),
-            velocity: Axes::of(sample.velocity, lane),
-            displacement: Axes::of(sample.displacement, lane),
-            applied: Axes::of(sample.applied, lane),
-            work: Axes::of(sample.work, lane),
-            others: Axes::of(others, lane),
-            effort: Axes::of(effort, lane),
-            out: Axes::of(correction.effort, lane),
-            sum: correction.observed_energy.lane(lane),
-            alpha: correction.alpha.lane(lane),
-            shortfall: correction.shortfall.lane(lane),
-            accepted: correction.accepted.lane(lane),
-        }
-    }
-
-    fn sound(&self) -> bool {
-        let sample =
-            [&self.position, &self.velocity, &self.displacement, &self.applied, &self.work];
-        self.period.is_finite() && self.effort.finite() && sample.iter().all(|axes| axes.finite())
-    }
-
-    /// `v² T`, J per N·s/m.
-    fn square(&self) -> f64 {
-        self.velocity.inner(&self.velocity) * self.period
-    }
-
-    /// Energy that the correction is to dissipate, J: nothing without damping, whatever the velocity.
-    fn burnt(&self) -> f64 {
-        if self.alpha == 0.0 { 0.0 } else { self.alpha * self.square() }
-    }
+/// The same as one lane of `T` has it: the reference is a part of what is promised, and its rounding with it.
+fn stored<T: Scalar>(reference: &Reference, x: f64, v: f64) -> f64 {
+    let single = T::epsilon().lane(0) == f64::from(f32::EPSILON);
+    if single { reference.stored::<f32>(x, v) } else { reference.stored::<f64>(x, v) }
 }
 
 #[derive(Clone, Debug)]
@@ -221,8 +94,12 @@ struct Meter {
     tick: u64,
     shaken: bool,
     balance: Balance,
-    /// The energy stored in the reference on the tick before, J.
+    /// The energy that a reference stores, in the scalar of the stabilizer, J.
+    stored: Stored,
+    /// The energy stored in the reference on the last tick on which it was finite, J.
     held: f64,
+    /// The same on this tick.
+    now: f64,
     epsilon: f64,
     tiny: f64,
     largest: f64,
@@ -230,9 +107,33 @@ struct Meter {
 }
 
 impl Meter {
+    fn new<T: Scalar>(terms: Terms) -> Self {
+        Self {
+            tick: 0,
+            stored: stored::<T>,
+            shaken: false,
+            now: 0.0,
+            balance: Balance::new(
+                T::epsilon().lane(0) / 2.0,
+                T::smallest_normal().lane(0),
+                terms.pledge.budget,
+            ),
+            held: match &terms.pledge.credit {
+                Credit::Reference { reference, start: [x, v] } => stored::<T>(reference, *x, *v),
+                _ => 0.0,
+            },
+            epsilon: T::epsilon().lane(0),
+            tiny: T::smallest_normal().lane(0),
+            largest: T::largest().lane(0),
+            tally: Tally::default(),
+            terms,
+        }
+    }
+
     fn watch(&mut self, sight: Sight) {
         self.book(&sight);
         self.judge(&sight);
+        self.settle(&sight);
         self.measure(&sight);
         self.tick += 1;
     }
@@ -248,15 +149,12 @@ impl Meter {
             _ => 0.0,
         };
         for axis in 0..sight.velocity.count {
-            let work = Double::product(sight.applied.values[axis], sight.displacement.values[axis]);
             let v = sight.velocity.values[axis];
-            let others = sight.others.values[axis];
-            // Where the applied force or the displacement is not known, the work may be.
-            let known = (work.value() + others).is_finite();
-            terms[3 * axis] = if known { work } else { sight.work.values[axis].into() };
-            terms[3 * axis + 1] = if known { others.into() } else { Double::default() };
+            [terms[3 * axis], terms[3 * axis + 1]] = self.works(sight, axis);
             if damping > 0.0 {
-                let credit = Double::product(v, v).times(sight.period).times(damping);
+                // Over a period that is none, nothing is credited.
+                let period = sight.period.max(0.0);
+                let credit = Double::product(v, v).times(period).times(damping);
                 // An unknown velocity credits nothing.
                 if credit.value().is_finite() {
                     terms[3 * axis + 2] = credit;
@@ -264,19 +162,50 @@ impl Meter {
             }
         }
         terms[3 * AXES] = self.stored(sight).into();
+        if self.terms.pledge.work == Work::Sampled && sight.accepted {
+            self.balance.allow(sight.burnt());
+        }
         self.balance.book(&terms, self.held);
+    }
+
+    /// The works along an axis that the ledger books, J.
+    fn works(&self, sight: &Sight, axis: usize) -> [Double; 2] {
+        let of = |axes: &Axes| axes.values[axis];
+        if self.terms.pledge.work == Work::Sampled {
+            let power = Double::product(of(&sight.effort), of(&sight.velocity));
+            return [power.times(sight.period.max(0.0)), Double::default()];
+        }
+        let work = Double::product(of(&sight.applied), of(&sight.displacement));
+        let others = of(&sight.others);
+        // Where the applied force or the displacement is not known, the work may be.
+        match (work.value() + others).is_finite() {
+            true => [work, others.into()],
+            false => [of(&sight.work).into(), Double::default()],
+        }
+    }
+
+    /// Books what the correction is to dissipate, which sampled work takes for done.
+    fn settle(&mut self, sight: &Sight) {
+        if self.terms.pledge.work == Work::Sampled && sight.accepted {
+            self.balance.book(&[sight.burnt().into()], 0.0);
+        }
     }
 
     /// The credit that does not split into axes, J; where it is not finite, nothing of the tick is booked.
     fn stored(&mut self, sight: &Sight) -> f64 {
         match &self.terms.pledge.credit {
             Credit::None | Credit::Damper { .. } => 0.0,
-            Credit::Moved { damping } => {
-                damping * (sight.displacement.inner(&sight.displacement) / sight.period)
+            // What the damper dissipates over no time is unknown.
+            Credit::Moved { .. } if !sight.timed() => f64::NAN,
+            Credit::Moved { damping, period } => {
+                let period = period.unwrap_or(sight.period);
+                damping * (sight.displacement.inner(&sight.displacement) / period)
             }
             Credit::Reference { reference, .. } => {
-                let now = reference.stored(sight.position.values[0], sight.velocity.values[0]);
+                let [x, v] = [&sight.position, &sight.velocity].map(|axes| axes.values[0]);
+                let now = (self.stored)(reference, x, v);
                 let change = self.held - now;
+                self.now = now;
                 if now.is_finite() {
                     self.held = now;
                 }
@@ -286,49 +215,30 @@ impl Meter {
     }
 
     fn judge(&mut self, sight: &Sight) {
-        let (tick, epsilon) = (self.tick, self.epsilon);
+        let tick = self.tick;
         let sound = sight.sound();
-        let mut correction = 0.0;
-        // The stabilizer rejects energies near the end of the scalar's range, and squared velocities there; from then
-        // on its ledger is no longer whole.
-        let told =
-            if sound { sight.velocity.inner(&sight.velocity).max(sight.square()) } else { 0.0 };
+        // The stabilizer rejects energies and powers near the end of the scalar's range, and squared velocities there;
+        // from then on its ledger is no longer whole.
+        let told = if sound { sight.energy().max(self.now.abs()) } else { 0.0 };
         let energy = told.max(self.balance.size());
-        if energy > self.largest / 64.0 && self.tally.out_of_range.is_none() {
+        let left = energy > self.largest / 64.0 || !sound && self.terms.unsound == Unsound::Range;
+        if left && self.tally.out_of_range.is_none() {
             self.tally.out_of_range = Some(tick);
         }
         let in_range = self.tally.out_of_range.is_none();
+        let answers = self.terms.pledge.manner == Manner::Answers;
         let mut require = |law, kept| self.tally.require(law, kept, tick);
         let finite = sight.out.finite() && (sight.sum + sight.alpha + sight.shortfall).is_finite();
         require(if sound { Law::Finite } else { Law::Rejects }, finite);
-        require(Law::Rejects, sight.effort.finite() || !sight.accepted);
-        require(Law::Recovers, !(sound && self.shaken && in_range) || sight.accepted);
+        let usable = sight.effort.finite() && sight.timed();
+        require(Law::Rejects, usable || !sight.accepted || answers);
+        let recovers = sound && sight.timed() && self.shaken && in_range;
+        require(Law::Recovers, !recovers || sight.accepted);
         require(Law::NoNegativeDamping, sight.alpha >= 0.0 && sight.shortfall >= 0.0);
-        if sight.accepted {
-            for axis in 0..sight.velocity.count {
-                let [out, given, v] =
-                    [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
-                let rounding = 8.0 * epsilon * (out.abs() + given.abs());
-                match self.terms.pledge.manner {
-                    Manner::Damps => {}
-                    Manner::Cuts => {
-                        let grown = out.abs() - given.abs();
-                        require(Law::NoLarger, out * given >= 0.0 && grown <= rounding);
-                        continue;
-                    }
-                    Manner::Follows => continue,
-                }
-                let most = self.terms.limit * v.abs() * (1.0 + 8.0 * epsilon);
-                correction =
-                    larger(correction, (out - given).abs() / most.max(rounding).max(self.tiny));
-                require(Law::Opposes, (out - given) * v >= -rounding * v.abs());
-                require(Law::WithinLimit, (out - given).abs() <= most + rounding);
-            }
-            let served = sight.sum + sight.burnt() + sight.shortfall;
-            let rounding = 16.0 * epsilon * sight.sum.abs() + self.tiny;
-            require(Law::Served, served >= -rounding || !in_range);
-        }
         require(Law::WithinLimit, sight.applied.largest() <= self.terms.force || !sound);
+        if sight.accepted {
+            self.judge_effort(sight);
+        }
         let dissipated = if sight.accepted { sight.burnt() } else { 0.0 };
         let told = Told { sum: sight.sum, dissipated, shortfall: sight.shortfall };
         let off = match self.terms.pledge.account {
@@ -340,8 +250,55 @@ impl Meter {
             self.tally.off = larger(self.tally.off, off);
             self.tally.require(Law::Balances, off <= 1.0, tick);
         }
-        self.tally.correction = larger(self.tally.correction, correction);
-        self.shaken = !sound;
+        self.shaken = !sound || !sight.accepted;
+    }
+
+    /// The laws of an effort that was accepted.
+    fn judge_effort(&mut self, sight: &Sight) {
+        let (tick, epsilon) = (self.tick, self.epsilon);
+        for axis in 0..sight.velocity.count {
+            let [out, given, v] =
+                [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
+            let rounding = 8.0 * epsilon * (out.abs() + given.abs());
+            let mut require = |law, kept| self.tally.require(law, kept, tick);
+            match self.terms.pledge.manner {
+                Manner::Damps => {}
+                Manner::Cuts => {
+                    let grown = out.abs() - given.abs();
+                    require(Law::NoLarger, out * given >= 0.0 && grown <= rounding);
+                    continue;
+                }
+                Manner::Directs | Manner::Follows | Manner::Answers => continue,
+            }
+            let most = self.terms.limit * v.abs() * (1.0 + 8.0 * epsilon);
+            require(Law::Opposes, (out - given) * v >= -rounding * v.abs());
+            require(Law::WithinLimit, (out - given).abs() <= most + rounding);
+            let told = sight.alpha * v.abs() * (1.0 - 16.0 * epsilon);
+            require(Law::Injects, (out - given).abs() >= told - rounding - self.tiny);
+            let correction = (out - given).abs() / most.max(rounding).max(self.tiny);
+            self.tally.correction = larger(self.tally.correction, correction);
+        }
+        if self.terms.pledge.manner == Manner::Directs {
+            self.judge_direction(sight);
+        }
+        let served = sight.sum + sight.burnt() + sight.shortfall;
+        let rounding = 16.0 * epsilon * sight.sum.abs() + self.tiny;
+        let in_range = self.tally.out_of_range.is_none();
+        self.tally.require(Law::Served, served >= -rounding || !in_range, tick);
+    }
+
+    /// The same laws of a correction as a vector.
+    fn judge_direction(&mut self, sight: &Sight) {
+        let Sight { out, effort, velocity, .. } = sight;
+        let added = out.minus(effort);
+        let rounding = 8.0 * self.epsilon * (out.length() + effort.length());
+        let most = self.terms.limit * velocity.length() * (1.0 + 8.0 * self.epsilon);
+        let opposes = added.inner(velocity) >= -rounding * velocity.length();
+        self.tally.require(Law::Opposes, opposes, self.tick);
+        self.tally.require(Law::WithinLimit, added.length() <= most + rounding, self.tick);
+        let told = sight.alpha * velocity.inner(velocity) * (1.0 - 16.0 * self.epsilon);
+        let injects = added.inner(velocity) >= told - rounding * velocity.length() - self.tiny;
+        self.tally.require(Law::Injects, injects, self.tick);
     }
 
     fn measure(&mut self, sight: &Sight) {

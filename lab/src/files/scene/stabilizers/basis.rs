@@ -53,7 +53,7 @@ impl Basis {
     /// The energy that the environment stores at the start, J; not below 0.
     pub(crate) fn stored(&self) -> f64 {
         let [x, v] = self.start;
-        self.reference.as_ref().map_or(0.0, |it| it.stored(x, v)).max(0.0)
+        self.reference.as_ref().map_or(0.0, |it| it.stored::<f64>(x, v)).max(0.0)
     }
 
     /// The speed above which a velocity is more than noise, m/s.

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
-use super::{Basis, Pledge};
+use super::{Basis, Manner, Pledge};
 use crate::files::scene::check::Conflict;
 use crate::files::scene::{Coordinates, Finite, Lanes};
 
@@ -32,7 +32,7 @@ table! {
 
 impl StabilizerKind for DirectedDamping {
     fn pledge(&self, _on: &Basis) -> Pledge {
-        Pledge::POPC
+        Pledge { manner: Manner::Directs, ..Pledge::POPC }
     }
 
     fn promises(&self) -> bool {

@@ -4,7 +4,7 @@ use lyapunov::{ParameterError, Signal, stabilizers::EnergyBounding as Law};
 
 use super::kind::{Anywhere, Install, OnLoops, StabilizerKind};
 use super::table::table;
-use super::{Basis, Manner, Pledge, Search};
+use super::{Basis, Credit, Manner, Pledge, Search};
 use crate::files::scene::check::Conflict;
 
 table! {
@@ -25,7 +25,9 @@ table! {
 
 impl StabilizerKind for EnergyBounding {
     fn pledge(&self, on: &Basis) -> Pledge {
-        Pledge { manner: Manner::Follows, ..Pledge::moved(on.damping) }
+        // Its bounds and its account are made for one period.
+        let credit = Credit::Moved { damping: on.damping, period: Some(on.limit.period) };
+        Pledge { credit, manner: Manner::Follows, ..Pledge::POPC }
     }
 
     fn adds_damping(&self) -> bool {

@@ -37,7 +37,7 @@ table! {
 
 impl StabilizerKind for Iss {
     fn pledge(&self, _on: &Basis) -> Pledge {
-        Pledge::FREE
+        Pledge::ANSWERING
     }
 
     fn reports_damping(&self) -> bool {

@@ -26,7 +26,7 @@ table! {
 
 impl StabilizerKind for Lolc {
     fn pledge(&self, on: &Basis) -> Pledge {
-        match (self.candidate, on.damper) {
+        let pledge = match (self.candidate, on.damper) {
             (Candidate::Spring, _) => Pledge::POPC,
             (Candidate::DeviceDamping, _) => Pledge::damper(on.damping),
             (Candidate::MassSpringDamper, Some([damping, beyond])) => {
@@ -35,7 +35,8 @@ impl StabilizerKind for Lolc {
             (Candidate::MassSpringDamper, None) => {
                 Pledge { account: LedgerKind::None, ..Pledge::POPC }
             }
-        }
+        };
+        Pledge { work: self.work, ..pledge }
     }
 
     fn promises(&self) -> bool {

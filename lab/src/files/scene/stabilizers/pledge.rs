@@ -1,6 +1,6 @@
 //! Promises of a stabilizer beyond finite outputs.
 
-use super::{Basis, Reference};
+use super::{Basis, Reference, Work};
 
 /// Credit beyond the work of the port.
 #[derive(Clone, Debug, PartialEq)]
@@ -9,8 +9,9 @@ pub(crate) enum Credit {
     None,
     /// `b v² T` where the position is greater than `beyond`: N·s/m, m.
     Damper { damping: f64, beyond: f64 },
-    /// `b |Δx|² / T`, N·s/m.
-    Moved { damping: f64 },
+    /// `b |Δx|² / T`, N·s/m, where the sample spans a time; the period is that of the sample, or one that is taken for
+    /// constant, s.
+    Moved { damping: f64, period: Option<f64> },
     /// Decrease of a reference's stored energy since the last tick, starting from a state in m and m/s.
     Reference { reference: Reference, start: [f64; 2] },
 }
@@ -31,10 +32,14 @@ pub(crate) enum LedgerKind {
 pub(crate) enum Manner {
     /// It adds damping.
     Damps,
+    /// It adds damping in some directions: on an axis a correction may push along, over all of them it takes energy.
+    Directs,
     /// It makes the effort smaller.
     Cuts,
     /// It follows the effort within a band.
     Follows,
+    /// It is asked no effort: it answers by itself, as a port around the environment does.
+    Answers,
 }
 
 /// Promises of one stabilizer.
@@ -44,6 +49,8 @@ pub(crate) struct Pledge {
     pub(crate) credit: Credit,
     /// The observed energy at the start, J.
     pub(crate) budget: f64,
+    /// The work that is booked.
+    pub(crate) work: Work,
     /// The kind of ledger.
     pub(crate) account: LedgerKind,
     /// The way it may change an effort.
@@ -55,6 +62,7 @@ impl Pledge {
     pub(crate) const POPC: Self = Self {
         credit: Credit::None,
         budget: 0.0,
+        work: Work::Held,
         account: LedgerKind::Whole,
         manner: Manner::Damps,
     };
@@ -66,6 +74,9 @@ impl Pledge {
     pub(crate) const FREE: Self =
         Self { account: LedgerKind::None, manner: Manner::Follows, ..Self::POPC };
 
+    /// Pledge of a port around the environment, which answers by itself.
+    pub(crate) const ANSWERING: Self = Self { manner: Manner::Answers, ..Self::FREE };
+
     /// Pledge of POPC with the credit of a damper that always acts, N·s/m.
     pub(crate) fn damper(damping: f64) -> Self {
         let credit = Credit::Damper { damping, beyond: f64::NEG_INFINITY };
@@ -74,7 +85,7 @@ impl Pledge {
 
     /// Pledge of a whole account that credits what a damper dissipates of every displacement, N·s/m.
     pub(super) fn moved(damping: f64) -> Self {
-        Self { credit: Credit::Moved { damping }, ..Self::POPC }
+        Self { credit: Credit::Moved { damping, period: None }, ..Self::POPC }
     }
 
     /// POPC's pledge with the reference of a loop as credit.
@@ -90,7 +101,9 @@ impl Pledge {
             Credit::Damper { damping, beyond } => {
                 Credit::Damper { damping: round(damping), beyond: round(beyond) }
             }
-            Credit::Moved { damping } => Credit::Moved { damping: round(damping) },
+            Credit::Moved { damping, period } => {
+                Credit::Moved { damping: round(damping), period: period.map(&round) }
+            }
             Credit::Reference { reference, start } => {
                 Credit::Reference { reference, start: start.map(&round) }
             }

@@ -24,7 +24,7 @@ table! {
 
 impl StabilizerKind for Popc {
     fn pledge(&self, _on: &Basis) -> Pledge {
-        Pledge::POPC
+        Pledge { work: self.work, ..Pledge::POPC }
     }
 
     fn promises(&self) -> bool {

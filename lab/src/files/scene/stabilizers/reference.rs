@@ -23,9 +23,10 @@ impl Reference {
         stores.then(|| Self { environment: environment.clone(), rates: Rates::of(scene) })
     }
 
-    /// `S(x, v)`, J.
-    pub(crate) fn stored(&self, x: f64, v: f64) -> f64 {
-        Self::render(&[self], Stored { x, v }).unwrap_or(0.0)
+    /// `S(x, v)` as the scalar `T` has it, J.
+    pub(crate) fn stored<T: lyapunov::Scalar>(&self, x: f64, v: f64) -> f64 {
+        let stored = Stored { x: T::of(x), v: T::of(v) };
+        Self::render(&[self], stored).map_or(0.0, |energy: T| energy.lane(0))
     }
 
     /// Makes something of the ideal environments of all lanes.

@@ -29,7 +29,7 @@ table! {
 
 impl StabilizerKind for VirtualCoupling {
     fn pledge(&self, _on: &Basis) -> Pledge {
-        Pledge::FREE
+        Pledge::ANSWERING
     }
 
     fn reports_damping(&self) -> bool {

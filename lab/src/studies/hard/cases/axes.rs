@@ -14,8 +14,9 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::tally::Tally;
+use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{EveryScalar, HardError, MakeStabilizer, Runs, Trial};
-use crate::studies::hard::watched::{Record, Terms, Watched};
+use crate::studies::hard::watched::{Record, Watched};
 
 const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.2;

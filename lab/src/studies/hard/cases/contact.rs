@@ -9,8 +9,8 @@ use lyapunov::{
 use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::looped::Looped;
+use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{Play, Played};
-use crate::studies::hard::watched::Terms;
 
 /// Hand that swings from -8 mm about -4 mm: it reaches 0 and no further, up to the rounding.
 const GRAZING: &str = "

@@ -13,8 +13,8 @@ use crate::simulate::family::StabilizerName;
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
 use crate::studies::hard::tally::Tally;
+use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{HardError, MakeStabilizer, Play, Played, Runs, Trial};
-use crate::studies::hard::watched::Terms;
 
 pub(super) const PERIOD: f64 = 1e-3;
 pub(super) const MASS: f64 = 0.2;

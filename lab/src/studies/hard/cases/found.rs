@@ -1,6 +1,6 @@
 //! Loops that a random search found: without a cap they run to the end of the range, or depend on roundings.
 //!
-//! `lab/tests/hard/search.rs` made each from its seed, with `damping_cap = inf`. Here the cap is half of `m / T`.
+//! They ran away with `damping_cap = inf`. Here the cap is half of `m / T`.
 
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::looped::Looped;

@@ -8,8 +8,8 @@ use lyapunov::{
 use crate::files::scene::Basis;
 use crate::files::scene::Damping;
 use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{Play, Played};
-use crate::studies::hard::watched::Terms;
 
 const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.2;

@@ -5,8 +5,8 @@ use lyapunov::{HeldTick, OnePort, ParameterError, Plant, PortSample, Scalar, Sta
 use super::faults::{MASS, PERIOD, STIFFNESS, TICKS, hand, reach, wall};
 use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{Play, Played};
-use crate::studies::hard::watched::Terms;
 
 /// Fault of one reading, at tick `k`.
 #[derive(Clone, Copy, PartialEq)]

@@ -4,8 +4,8 @@ use lyapunov::{HeldTick, ParameterError, PortSample, Scalar, Stabilizer};
 
 use crate::files::scene::Basis;
 use crate::studies::hard::case::{Case, Quantity};
+use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{Play, Played};
-use crate::studies::hard::watched::Terms;
 
 const PERIOD: f64 = 1e-3;
 const MASS: f64 = 0.2;

@@ -19,8 +19,9 @@ use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
 use crate::studies::hard::naive::Naive;
 use crate::studies::hard::tally::{Tally, larger};
+use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{HardError, MakeStabilizer, Play, Played, Runs, Trial};
-use crate::studies::hard::watched::{Terms, Watched};
+use crate::studies::hard::watched::Watched;
 
 /// A stabilizer that sums the observed energy in an `A`.
 type Summed<T, A> = Lolc<T, PortEnergy, Held, A>;

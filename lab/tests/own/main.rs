@@ -1,5 +1,25 @@
 //! Own stabilizers among those that ship. A target of its own, since they are entered once for a whole program.
 
+macro_rules! own {
+    ($Type:ident, $name:literal, $numbers:expr, $promise:ident, |$on:ident| $made:expr) => {
+        pub(crate) struct $Type;
+
+        impl OwnStabilizer for $Type {
+            const NAME: &'static str = $name;
+            const NUMBERS: &'static [OwnNumber] = &$numbers;
+            const PROMISE: Promise = Promise::$promise;
+
+            fn make<V: Signal>(
+                $on: &Loop<'_>,
+            ) -> Result<impl Stabilizer<V> + 'static, ParameterError> {
+                $made
+            }
+        }
+    };
+}
+
+mod soak;
+
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 use std::sync::Once;
@@ -66,24 +86,6 @@ fn hand<T: Scalar>(on: &Loop<'_>, kept: f64) -> Result<Hand<T>, ParameterError> 
 const LEAK: OwnNumber = OwnNumber::new("leak", "s", Allowed::Positive, |on| 20.0 * on.period())
     .searched(|default, _| Search::ratios(0.1 * default, 10.0 * default));
 
-macro_rules! own {
-    ($Type:ident, $name:literal, $numbers:expr, $promise:ident, |$on:ident| $made:expr) => {
-        struct $Type;
-
-        impl OwnStabilizer for $Type {
-            const NAME: &'static str = $name;
-            const NUMBERS: &'static [OwnNumber] = &$numbers;
-            const PROMISE: Promise = Promise::$promise;
-
-            fn make<V: Signal>(
-                $on: &Loop<'_>,
-            ) -> Result<impl Stabilizer<V> + 'static, ParameterError> {
-                $made
-            }
-        }
-    };
-}
-
 /// The share that a leak leaves from tick to tick.
 fn left(on: &Loop<'_>) -> f64 {
     1.0 - on.period() / on.number::<f64>(LEAK).max(on.period())
@@ -104,7 +106,6 @@ own!(Choosy, "choosy", [COUNT, SIZE], Damps, |on| {
     assert!(on.number::<f64>(SIZE) > 0.0 && on.number::<f64>(COUNT) >= 1.0);
     hand::<V::Scalar>(on, 1.0)
 });
-
 /// What the device's own damper burns, as the library's candidate has it.
 struct MyDamping;
 
@@ -129,6 +130,10 @@ fn name(name: &str) -> StabilizerName {
             .stabilizer::<Idle>()
             .stabilizer::<IdleLiar>()
             .stabilizer::<Choosy>()
+            .stabilizer::<soak::Hasty>()
+            .stabilizer::<soak::Halving>()
+            .stabilizer::<soak::Dozing>()
+            .stabilizer::<soak::Dazed>()
             .candidate::<MyDamping>();
         roster.enter().unwrap();
     });
@@ -269,7 +274,7 @@ fn names_and_lists_of_names_know_own_ones() {
     let told = "my-pop".parse::<StabilizerName>().unwrap_err().to_string();
     assert!(told.contains("did you mean `my-popc`?") && told.contains("lolc-my-damping"), "{told}");
     let all: StabilizerNames = "all".parse().unwrap();
-    assert_eq!(all.len(), StabilizerName::ALL.len() + 7);
+    assert_eq!(all.len(), StabilizerName::ALL.len() + 11);
     let fits = all.on(&shipped("hold"));
     assert!(fits.contains(&name("my-popc")) && !fits.contains(&name("choosy")));
     assert_eq!(StabilizerName::all().last(), Some(name("lolc-my-damping")));

@@ -1,0 +1,53 @@
+//! Random scenes, each of which has to keep every promise.
+
+use std::collections::BTreeSet;
+use std::ops::ControlFlow;
+
+use lyapunov_lab::family::StabilizerName;
+use lyapunov_lab::hard::soak::Soak;
+
+/// Cases of a run of the tests; `lyapunov hard --minutes` goes on.
+const CASES: u64 = 768;
+
+#[test]
+fn random_scenes_keep_every_promise() {
+    let mut watch = |cases| match cases < CASES {
+        true => ControlFlow::Continue(()),
+        false => ControlFlow::Break(()),
+    };
+    let soaked = Soak { seed: 20_026, stabilizer: None }.run(&mut watch);
+    assert!(soaked.found.is_none(), "{soaked}");
+    assert_eq!(soaked.cases, CASES);
+}
+
+#[test]
+fn a_case_is_a_function_of_seed_and_number() {
+    let [one, other] = [7, 8].map(|seed| Soak { seed, stabilizer: None });
+    assert_eq!(one.scene(3), one.scene(3));
+    let scenes: Vec<_> = (0..64).map(|case| one.scene(case).unwrap()).collect();
+    for (case, scene) in (0..).zip(&scenes) {
+        assert!(other.scene(case).as_ref() != Some(scene));
+        assert!(scenes.iter().filter(|it| it == &scene).count() == 1);
+    }
+}
+
+/// Otherwise a promise might be kept because nobody was asked.
+#[test]
+fn random_scenes_have_every_member_environment_and_effect() {
+    let soak = Soak { seed: 1, stabilizer: None };
+    let (mut members, mut environments, mut effects) =
+        <(BTreeSet<_>, BTreeSet<_>, BTreeSet<_>)>::default();
+    for case in 0..1500 {
+        let scene = soak.scene(case).unwrap();
+        members.extend(scene.stabilizer.map(|it| it.name()));
+        let table = toml::Table::try_from(&scene).unwrap();
+        let keys =
+            |table: &toml::Value| table.as_table().unwrap().keys().cloned().collect::<Vec<_>>();
+        environments.extend(keys(&table["environment"]));
+        effects.extend(table.get("effects").into_iter().flat_map(keys));
+        effects.extend(table.get("link").map(|_| "link".to_owned()));
+    }
+    // Without none, and with one name for the four kinds of LOLC.
+    assert_eq!(members.len(), StabilizerName::ALL.len() - 4, "{members:?}");
+    assert_eq!((environments.len(), effects.len()), (11, 11), "{environments:?} {effects:?}");
+}

@@ -1,0 +1,122 @@
+//! A soak and a sweep of faults find whoever makes a mistake.
+
+use std::ops::ControlFlow;
+
+use lyapunov::laws::Law;
+use lyapunov::{Correction, Mask, ParameterError, PortSample, Scalar, Signal, Stabilizer};
+use lyapunov_lab::hard::faults::{Broken, sweep};
+use lyapunov_lab::hard::soak::{Breach, Soak, breach};
+use lyapunov_lab::own::{Loop, OwnNumber, OwnStabilizer, Promise};
+
+use super::{CAP, Hand, hand, name, parsed, shipped};
+
+// Beyond its limit, wherever positions are counted.
+own!(Hasty, "hasty", [CAP], Damps, |on| hand::<V::Scalar>(on, 1.0).map(|hand| {
+    let counts = on.scene().is_some_and(|scene| scene.effects.encoder.is_some());
+    let factor = V::Scalar::of(if counts { 1.5 } else { 1.0 });
+    Hand { limit: hand.limit * factor, ..hand }
+}));
+
+/// A hand that makes a mistake.
+struct Mistaken<T> {
+    hand: Hand<T>,
+    mistake: Mistake,
+    tick: u64,
+}
+
+enum Mistake {
+    /// Half of the damping that it tells.
+    Halves,
+    /// A tick now and then without the work of its sample.
+    Dozes,
+    /// Nothing that it accepts on the tick after one that it rejected.
+    IsDazed { rejected: bool },
+}
+
+impl<V: Signal> Stabilizer<V> for Mistaken<V::Scalar> {
+    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
+        self.tick += 1;
+        match self.mistake {
+            Mistake::Halves => {
+                let told = self.hand.stabilize(sample, effort);
+                let half = (told.effort - effort).scale(V::Scalar::of(0.5));
+                let corrected = V::choose(told.accepted, effort + half, told.effort);
+                Correction { effort: corrected, ..told }
+            }
+            Mistake::Dozes if self.tick % 37 == 5 => {
+                self.hand.stabilize(&PortSample { work: V::zero(), ..*sample }, effort)
+            }
+            Mistake::Dozes => self.hand.stabilize(sample, effort),
+            Mistake::IsDazed { rejected } => {
+                let told = self.hand.stabilize(sample, effort);
+                self.mistake = Mistake::IsDazed { rejected: !told.accepted.all() };
+                let refused = Correction {
+                    effort: V::zero(),
+                    alpha: V::Scalar::of(0.0),
+                    accepted: Mask::of(false),
+                    ..told
+                };
+                if rejected { refused } else { told }
+            }
+        }
+    }
+}
+
+fn mistaken<T: Scalar>(on: &Loop<'_>, mistake: Mistake) -> Result<Mistaken<T>, ParameterError> {
+    Ok(Mistaken { hand: hand(on, 1.0)?, mistake, tick: 0 })
+}
+
+own!(Halving, "halving", [CAP], Damps, |on| mistaken::<V::Scalar>(on, Mistake::Halves));
+own!(Dazed, "dazed", [CAP], Damps, |on| mistaken::<V::Scalar>(
+    on,
+    Mistake::IsDazed { rejected: false }
+));
+own!(Dozing, "dozing", [CAP], Serves, |on| mistaken::<V::Scalar>(on, Mistake::Dozes));
+
+#[test]
+fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
+    let soaked = |it: &str| {
+        let soak = Soak { seed: 1, stabilizer: Some(name(it)) };
+        soak.run(&mut |cases| match cases < 512 {
+            true => ControlFlow::Continue(()),
+            false => ControlFlow::Break(()),
+        })
+    };
+    assert_eq!(soaked("my-popc").found, None);
+    for (mistaken, broken) in [("halving", Law::Injects), ("dozing", Law::Balances)] {
+        let told = soaked(mistaken);
+        let found = told.found.as_ref().expect("a broken promise");
+        assert!(matches!(found.broken, Breach::Law { law, .. } if law == broken), "{told}");
+        // Without the stabilizer there is no promise to be broken.
+        assert!(found.scene.contains(&format!("[stabilizer.{mistaken}]")), "{told}");
+    }
+    let told = soaked("hasty");
+    let found = told.found.clone().expect("a broken promise");
+    assert!(matches!(found.broken, Breach::Law { law: Law::WithinLimit, .. }), "{told}");
+    assert_eq!(soaked("hasty"), told);
+
+    let text = found.file("lyapunov hard soak.toml");
+    assert_eq!(breach(&parsed(&text)).unwrap(), Some(found.broken), "{text}");
+    let table: toml::Table = text.parse().unwrap();
+    let effects: Vec<_> = table["effects"].as_table().unwrap().keys().collect();
+    assert_eq!(effects, ["encoder"], "{text}");
+    let tables: Vec<_> = table.keys().filter(|key| table[*key].is_table()).collect();
+    assert!(tables.len() <= 5 && !text.contains("link"), "{text}");
+    // A run as long as it takes to break it.
+    assert!(parsed(&text).ticks() < 50, "{text}");
+}
+
+#[test]
+fn a_sweep_of_faults_finds_who_does_not_recover() {
+    let scene = shipped("press-1khz");
+    let swept = |it: &str| {
+        let scene = name(it).written_in(&scene, &[]).unwrap();
+        sweep(&scene, &[5], 200).unwrap()
+    };
+    let right = swept("my-popc");
+    assert!(right.found.is_none() && right.recovery == 1, "{right:?}");
+    let found = swept("dazed").found.expect("a breach");
+    assert_eq!(found.broken, Broken::Law(Law::Recovers), "{found}");
+    let found = swept("halving").found.expect("a breach");
+    assert_eq!(found.broken, Broken::Law(Law::Injects), "{found}");
+}
