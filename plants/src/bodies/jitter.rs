@@ -71,6 +71,7 @@ where
         self.body.rest_at(rest);
     }
 
+    #[inline(always)]
     fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         self.body.reshape(parts, interval)?;
         (self.parts, self.period) = (parts, interval);
