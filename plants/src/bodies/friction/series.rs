@@ -28,6 +28,9 @@ pub(super) struct Series<T, const S: usize> {
 /// The most that the last terms may amount to, as a share of the largest: half a rounding.
 const TAIL: f64 = f64::EPSILON / 8.0;
 
+/// The steps to try, each shorter, before a motion counts as out of range.
+const TRIES: usize = 8;
+
 impl<T: Scalar, const S: usize> System<T, S> {
     /// The force on the device at rest besides friction, N.
     #[inline(always)]
@@ -87,19 +90,18 @@ impl<T: Scalar, const S: usize> System<T, S> {
         let loose = if sliding.any() { self.pace(true) } else { zero };
         let held = if sliding.all() { zero } else { self.pace(false) };
         let mut step = longest.smaller(T::of(1.75) / T::choose(sliding, loose, held));
-        let mut found = T::Mask::of(false);
-        let mut series = Series::standing(state, step);
-        for _ in 0..8 {
+        let mut tries = 1;
+        loop {
+            let mut series = Series::standing(state, step);
             self.expand(&mut series, sense, sliding);
-            found = series.settle(self.law.breakaway, of);
-            if (found | !of).all() {
-                break;
+            let found = series.settle(self.law.breakaway, of);
+            if tries == TRIES || (found | !of).all() {
+                return (series, found);
             }
             // Out of range. A shorter step makes the high coefficients far smaller; the other lanes do the same again.
             step = T::choose(found, step, step * T::of(1.0 / 4096.0));
-            series = Series::standing(state, step);
+            tries += 1;
         }
-        (series, found)
     }
 
     /// Computes the coefficients after the first.
