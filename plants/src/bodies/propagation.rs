@@ -61,6 +61,7 @@ pub fn held_input<R: Scalar, const N: usize>(matrix: SMatrix<R, N, N>) -> SMatri
 
 /// The matrix product, into `all`. That of nalgebra is not always inlined, and so computes lanes on the base set of
 /// instructions; and the compiler finds the vectors of lanes between a read and a write.
+#[expect(clippy::needless_range_loop, reason = "a zip of columns and factors takes twice as long")]
 #[inline(always)]
 fn multiply<R: Scalar, const N: usize>(
     one: &SMatrix<R, N, N>,
@@ -117,6 +118,9 @@ fn size<R: Scalar, const N: usize>(matrix: &SMatrix<R, N, N>) -> R {
 ///
 /// Without it the compiler makes vectors of one lane of neighbouring numbers, gathered and scattered, and takes ten times
 /// as long.
+///
+/// Such a loop is written out: the library's folds and maps of arrays are not always inlined, and what is not computes
+/// lanes on the base set of instructions.
 #[inline(always)]
 pub(super) fn apart<T: Scalar>() {
     if T::LANES > 1 {

@@ -52,8 +52,10 @@ pub(super) fn product<T: Scalar>(
     first: usize,
     k: usize,
 ) -> T {
-    (first + 1..=k).fold(a[first] * b[k - first], |sum, j| {
+    let mut sum = a[first] * b[k - first];
+    for j in first + 1..k + 1 {
         apart::<T>();
-        sum + a[j] * b[k - j]
-    })
+        sum += a[j] * b[k - j];
+    }
+    sum
 }

@@ -47,30 +47,39 @@ impl<T: Scalar, const S: usize> System<T, S> {
     #[inline(always)]
     fn derivative(&self, row: usize, state: impl Fn(usize) -> T) -> T {
         let row = &self.rate[row];
-        (1..S).fold(row[0] * state(0), |sum, index| sum + row[index] * state(index))
+        let mut sum = row[0] * state(0);
+        for (index, &rate) in row.iter().enumerate().skip(1) {
+            sum += rate * state(index);
+        }
+        sum
     }
 
     /// The rate at which the motion changes, rad/s: at least that of its fastest mode, the device held or not.
     #[inline(always)]
     fn pace(&self, device: bool) -> T {
-        let rows = if device { S } else { S - 2 };
-        let row = |row: usize| {
-            let sum = |first: usize| {
-                let sizes = (first..rows).step_by(2).map(|i| self.rate[row][i].magnitude());
-                sizes.fold(T::zero(), |sum, size| sum + size)
-            };
-            sum(0).sqrt() + sum(1)
-        };
-        (1..rows).step_by(2).map(row).fold(T::zero(), |most, pace| pace.larger(most))
+        let masses = if device { S / 2 } else { S / 2 - 1 };
+        let zero = T::zero();
+        let mut most = zero;
+        for mass in 0..masses {
+            let row = &self.rate[2 * mass + 1];
+            let (mut springs, mut dampers) = (zero, zero);
+            for other in 0..masses {
+                springs += row[2 * other].magnitude();
+                dampers += row[2 * other + 1].magnitude();
+            }
+            most = (springs.sqrt() + dampers).larger(most);
+        }
+        most
     }
 
     /// The force besides friction on a device that stands still.
     #[inline(always)]
     pub(super) fn force_series(&self, series: &Series<T, S>) -> Polynomial<T> {
-        let mut force: Polynomial<T> = core::array::from_fn(|k| {
+        let mut force = [T::zero(); ORDER + 1];
+        for (k, coefficient) in force.iter_mut().enumerate() {
             apart::<T>();
-            self.force_of(|index| series.state[index][k])
-        });
+            *coefficient = self.force_of(|index| series.state[index][k]);
+        }
         force[0] -= self.effort;
         force
     }
@@ -157,11 +166,13 @@ impl<T: Scalar, const S: usize> Series<T, S> {
     /// are those where they are finite.
     #[inline(always)]
     fn settle(&mut self, friction: T, of: T::Mask) -> T::Mask {
-        let all = self.state.iter().chain([&self.friction]).flatten();
-        let finite = all.fold(of, |finite, coefficient| {
-            apart::<T>();
-            finite & coefficient.finite()
-        });
+        let mut finite = of;
+        for polynomial in self.state.iter().chain([&self.friction]) {
+            for coefficient in polynomial {
+                apart::<T>();
+                finite = finite & coefficient.finite();
+            }
+        }
         for _ in 0..1100 {
             let open = finite & !self.converged(friction);
             if !open.any() {
@@ -183,47 +194,60 @@ impl<T: Scalar, const S: usize> Series<T, S> {
 
     #[inline(always)]
     fn converged(&self, friction: T) -> T::Mask {
-        let most = |from: usize, state: usize| {
-            let states = self.state.iter().skip(state).step_by(2);
-            let sizes =
-                states.flat_map(|of| &of[from..]).map(|coefficient| coefficient.magnitude());
-            sizes.fold(T::zero(), |most, size| {
-                apart::<T>();
-                size.larger(most)
-            })
+        let tail = |first| {
+            let last = self.largest(ORDER - 1, first);
+            !last.above(T::of(TAIL) * self.largest(1, first))
         };
-        let tail = |state| !most(ORDER - 1, state).above(T::of(TAIL) * most(1, state));
         let enough = T::of(TAIL) * friction;
-        let last = &self.friction[ORDER - 2..];
-        last.iter().fold(tail(0) & tail(1), |all, c| all & !c.magnitude().above(enough))
+        let mut all = tail(0) & tail(1);
+        for coefficient in &self.friction[ORDER - 2..] {
+            all = all & !coefficient.magnitude().above(enough);
+        }
+        all
+    }
+
+    /// The largest coefficient from `from` on of every other entry of the state, beginning with `first`.
+    #[inline(always)]
+    fn largest(&self, from: usize, first: usize) -> T {
+        let mut most = T::zero();
+        for mass in 0..S / 2 {
+            for coefficient in &self.state[2 * mass + first][from..] {
+                apart::<T>();
+                most = coefficient.magnitude().larger(most);
+            }
+        }
+        most
     }
 
     /// The gain of state `index` until `share`.
     #[inline(always)]
     pub(super) fn gain(&self, index: usize, share: T) -> T {
-        self.state[index][1..].iter().rev().fold(T::zero(), |sum, &c| {
+        let mut sum = T::zero();
+        for &coefficient in self.state[index][1..].iter().rev() {
             apart::<T>();
-            (sum + c) * share
-        })
+            sum = (sum + coefficient) * share;
+        }
+        sum
     }
 
     /// The energy that friction dissipates until `share`, J.
     #[inline(always)]
     pub(super) fn heat(&self, share: T) -> T {
         let zero = T::zero();
-        let size = |c: &T| {
+        let mut varies = T::Mask::of(false);
+        for coefficient in &self.friction[1..] {
             apart::<T>();
-            c.magnitude().above(zero)
-        };
-        let varies = self.friction[1..].iter().fold(T::Mask::of(false), |any, c| any | size(c));
+            varies = varies | coefficient.magnitude().above(zero);
+        }
         let constant = self.friction[0] * self.gain(S - 2, share).magnitude();
         if !varies.any() {
             return constant;
         }
         let velocity = &self.state[S - 1];
-        let sum = (0..=ORDER).rev().fold(zero, |sum, k| {
-            (sum + product(&self.friction, velocity, 0, k) / T::of((k + 1) as f64)) * share
-        });
+        let mut sum = zero;
+        for k in (0..ORDER + 1).rev() {
+            sum = (sum + product(&self.friction, velocity, 0, k) / T::of((k + 1) as f64)) * share;
+        }
         T::choose(varies, (sum * self.step).magnitude(), constant)
     }
 }

@@ -136,10 +136,11 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
         let force = self.system.force_series(series);
         let breakaway = self.system.law.breakaway;
         let slip = |sense: T| {
-            let mut reserve = force.map(|coefficient| {
+            let mut reserve = force;
+            for coefficient in &mut reserve {
                 apart::<T>();
-                -sense * coefficient
-            });
+                *coefficient = -sense * *coefficient;
+            }
             // A force within a rounding above static friction counts as equal to it: this device was just found to
             // stick.
             reserve[0] = (reserve[0] + breakaway).larger(T::zero());
@@ -155,10 +156,11 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
     #[inline(always)]
     fn first_stop(&self, series: &Series<T, S>, sliding: T::Mask) -> (T, T) {
         let (_, floor) = self.system.law.constant_above(self.state[S - 1].magnitude());
-        let mut above = series.state[S - 1].map(|coefficient| {
+        let mut above = series.state[S - 1];
+        for coefficient in &mut above {
             apart::<T>();
-            self.sense * coefficient
-        });
+            *coefficient = self.sense * *coefficient;
+        }
         above[0] -= floor;
         (falls(&above, sliding), floor)
     }
@@ -198,10 +200,11 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
 fn falls<T: Scalar>(polynomial: &Polynomial<T>, of: T::Mask) -> T {
     let never = T::of(NEVER);
     // Most lanes stay above 0 so surely that this sum is too.
-    let sum = polynomial.iter().fold(T::zero(), |sum, c| {
+    let mut sum = T::zero();
+    for coefficient in polynomial {
         apart::<T>();
-        sum + c.smaller(T::zero())
-    });
+        sum += coefficient.smaller(T::zero());
+    }
     let stays = polynomial[0].above(T::zero()) & (sum + polynomial[0]).above(T::zero());
     if (stays | !of).all() {
         return never;
