@@ -124,8 +124,8 @@ impl Lane {
             3 => lane.push.noise = Noise::WildEvery(50),
             4 => lane.start[(bits % 2) as usize] = wild(scrambled(bits)),
             5 => lane.deviation = hostile::<f64>(scrambled(bits)).abs(),
-            6..=8 if set.is_multiple_of(16) => return Self::runaway(bits),
-            9 | 10 if set.is_multiple_of(4) => return Self::wide(bits),
+            6..=8 if set.is_multiple_of(64) => return Self::runaway(bits),
+            9 | 10 if set.is_multiple_of(16) => return Self::wide(bits),
             _ => {}
         }
         lane
