@@ -7,6 +7,7 @@ mod accumulators;
 mod adaptive_window;
 mod adaptors;
 mod balance;
+mod body_lanes;
 mod delayed_limit;
 mod detection;
 mod device_damping;

@@ -1,7 +1,7 @@
 //! Gain of lanes of boxes: for each shipped scene on a line, and for each member of the family on `press-1khz`, the time
 //! of a small map run cell by cell over that on lanes, on one core and on each set of instructions.
 //!
-//! Prints a table in Markdown. Times are the processor's, so that other programs disturb them little; both take turns.
+//! Prints a table in Markdown, of those rows alone whose names are given (`-- tour friction`). Times are the processor's, so that other programs disturb them little; both take turns.
 
 use std::time::Instant;
 
@@ -55,7 +55,16 @@ fn time(run: &Run<'_>, cells: u64, start: Instant) -> f64 {
     }
 }
 
+/// Whether a row of that name was asked for.
+fn asked(name: &str) -> bool {
+    let mut names = std::env::args().skip(1).filter(|given| given != "--bench").peekable();
+    names.peek().is_none() || names.any(|given| given == name)
+}
+
 fn row(name: &str, grid: &Grid, start: Instant) {
+    if !asked(name) {
+        return;
+    }
     let alone = Run::one_by_one(grid, Some(1)).expect("a run");
     let lanes = |set| Run::on_boxes(grid, set, Some(1)).expect("a run");
     let lanes: Vec<Run<'_>> = Instructions::all().into_iter().map(lanes).collect();

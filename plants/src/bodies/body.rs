@@ -3,9 +3,9 @@
 use lyapunov_core::{
     HeldTick, Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
 };
-use nalgebra::{Matrix2, Matrix3};
+use nalgebra::{Matrix3, SMatrix};
 
-use super::propagation::by_rows;
+use super::propagation::{by_rows, has_all_digits, rows};
 use crate::{Impedance, Linear, OperatedBody, held_input};
 
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
@@ -46,6 +46,7 @@ struct Row<T> {
 }
 
 impl<T: Scalar> Row<T> {
+    #[inline(always)]
     fn finite(&self) -> T::Mask {
         self.deflection.finite() & self.velocity.finite() & self.effort.finite()
     }
@@ -98,6 +99,7 @@ impl<V: Signal> Body<V> {
 }
 
 /// The gains of position and velocity over `interval`.
+#[inline(always)]
 fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], ParameterError> {
     let mass = Requirement::Positive.check("mass", impedance.mass)?;
     let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
@@ -105,26 +107,34 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
     let row = |[deflection, velocity, effort]: [T; 3]| Row { deflection, velocity, effort };
     let rows = impedance_increments(Impedance { mass, damping, stiffness }, interval).map(row);
     let finite = rows[0].finite() & rows[1].finite();
-    match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
-        None => Ok(rows),
-        Some(lane) => Err(ParameterError {
-            parameter: "mass",
-            value: mass.lane(lane),
-            requirement: Requirement::InRange,
-        }),
+    if finite.all() {
+        return Ok(rows);
     }
+    let lane = (0..T::LANES).find(|&lane| !finite.lane(lane)).unwrap_or_default();
+    let (parameter, value) = ("mass", mass.lane(lane));
+    Err(ParameterError { parameter, value, requirement: Requirement::InRange })
 }
 
 /// The gains of position and velocity over `interval` per unit of deflection, velocity and effort; nothing is checked.
+#[inline(always)]
 pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) -> [[T; 3]; 2] {
-    let [position, velocity, _] = by_rows(|lane| {
-        let (m, t) = (parts.mass.real(lane), interval.real(lane));
-        let (b, k) = (parts.damping.real(lane), parts.stiffness.real(lane));
-        let (none, one) = (T::Real::of(0.0), T::Real::of(1.0));
-        let rate = Matrix3::new(none, one, none, -k / m, -b / m, -one / m, none, none, none);
-        keeping_area::<T>(held_input(rate * t))
-    });
+    let [position, velocity, _] = if has_all_digits::<T>() {
+        rows(&increments(parts, interval))
+    } else {
+        by_rows(|lane| {
+            let parts = parts.map(|number| number.real(lane));
+            keeping_area::<T>(increments(parts, interval.real(lane)))
+        })
+    };
     [position, velocity]
+}
+
+#[inline(always)]
+fn increments<R: Scalar>(parts: Impedance<R>, interval: R) -> Matrix3<R> {
+    let Impedance { mass: m, damping: b, stiffness: k } = parts;
+    let (none, one) = (R::zero(), R::one());
+    let rate = [[none, one, none], [-k / m, -b / m, -one / m], [none; 3]];
+    held_input(Matrix3::from_fn(|row, column| rate[row][column] * interval))
 }
 
 /// `increments` with the first entry corrected by the last digits of the scalar, so that the rounding of the others
@@ -180,6 +190,7 @@ impl<V: Signal> OperatedBody<V> for Body<V> {
         self.rest = rest;
     }
 
+    #[inline(always)]
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
         [self.position_map, self.velocity_map] = maps(parts, interval)?;
@@ -189,13 +200,16 @@ impl<V: Signal> OperatedBody<V> for Body<V> {
 }
 
 impl<T: Scalar> Linear<T, 2> for Body<T> {
-    fn rate(parts: &Impedance<T>, lane: usize) -> Matrix2<f64> {
-        let mass = parts.mass.lane(lane);
-        Matrix2::new(0.0, 1.0, -parts.stiffness.lane(lane) / mass, -parts.damping.lane(lane) / mass)
+    #[inline(always)]
+    fn rate<R: Scalar>(parts: &Impedance<T>, number: impl Fn(T) -> R) -> SMatrix<R, 2, 2> {
+        let Impedance { mass, damping, stiffness } = parts.map(number);
+        let rate = [[R::zero(), R::one()], [-stiffness / mass, -damping / mass]];
+        SMatrix::from_fn(|row, column| rate[row][column])
     }
 
-    fn device_mass(parts: &Impedance<T>, lane: usize) -> f64 {
-        parts.mass.lane(lane)
+    #[inline(always)]
+    fn device_mass(parts: &Impedance<T>) -> T {
+        parts.mass
     }
 
     #[inline(always)]

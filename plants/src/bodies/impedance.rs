@@ -25,6 +25,16 @@ pub struct Impedance<T> {
 }
 
 impl<T: Scalar> Impedance<T> {
+    /// `number` of each part.
+    #[inline(always)]
+    pub(crate) fn map<R>(self, number: impl Fn(T) -> R) -> Impedance<R> {
+        Impedance {
+            mass: number(self.mass),
+            damping: number(self.damping),
+            stiffness: number(self.stiffness),
+        }
+    }
+
     pub(crate) fn finite(self) -> Result<Self, ParameterError> {
         Requirement::Finite.check("mass", self.mass)?;
         Requirement::Finite.check("damping", self.damping)?;

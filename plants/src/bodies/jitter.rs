@@ -8,7 +8,8 @@ use crate::OperatedBody;
 /// each tick, while the sample reports `T`.
 ///
 /// A velocity taken from the displacement divides by `T` and errs by the jitter. Position, displacement and the held
-/// effort's work are the true ones. A deviation of 0 changes nothing.
+/// effort's work are the true ones. A deviation of 0 changes nothing. Where an interval is so long that the motion would
+/// leave the scalar's range, the body keeps the one before, each lane by itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Jitter<B, P, T, G> {
     body: B,
@@ -16,6 +17,8 @@ pub struct Jitter<B, P, T, G> {
     period: T,
     deviation: T,
     normal: G,
+    /// The interval of the last tick.
+    interval: T,
 }
 
 impl<B, P, T, G> Jitter<B, P, T, G> {
@@ -34,7 +37,26 @@ impl<B, P, T, G> Jitter<B, P, T, G> {
         let deviation = Requirement::NonNegative.check("deviation", deviation)?;
         let period = body.start().period;
         body.reshape(parts, period)?;
-        Ok(Self { body, parts, period, deviation, normal })
+        Ok(Self { body, parts, period, deviation, normal, interval: period })
+    }
+
+    /// Takes `interval` in those lanes in which the motion stays in the scalar's range; the others keep the one before.
+    #[cold]
+    fn stretch_each<V>(&mut self, interval: T)
+    where
+        V: Signal<Scalar = T>,
+        B: OperatedBody<V, Parts = P>,
+        P: Copy,
+        T: Scalar,
+    {
+        for lane in 0..T::LANES {
+            let kept = self.interval;
+            let of = |at: usize| if at == lane { interval } else { kept };
+            let tried = T::from_reals(|at| of(at).real(at));
+            if self.body.reshape(self.parts, tried).is_ok() {
+                self.interval = tried;
+            }
+        }
     }
 }
 
@@ -51,9 +73,12 @@ where
 
     #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
-        let interval = self.period + self.deviation * (self.normal)();
-        // If the interval is so long that the motion leaves the scalar's range, the body keeps the one before.
-        let _ = self.body.reshape(self.parts, interval.larger(V::Scalar::of(0.0)));
+        let drawn = self.period + self.deviation * (self.normal)();
+        let interval = drawn.larger(V::Scalar::of(0.0));
+        match self.body.reshape(self.parts, interval) {
+            Ok(()) => self.interval = interval,
+            Err(_) => self.stretch_each(interval),
+        }
         PortSample { period: self.period, ..self.body.advance(effort) }
     }
 }
@@ -71,9 +96,10 @@ where
         self.body.rest_at(rest);
     }
 
+    #[inline(always)]
     fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         self.body.reshape(parts, interval)?;
-        (self.parts, self.period) = (parts, interval);
+        (self.parts, self.period, self.interval) = (parts, interval, interval);
         Ok(())
     }
 }

@@ -11,11 +11,11 @@ use crate::OperatedBody;
 /// `e` selects the device's velocity, `m` is its mass and `f` the effort. A force that acts on the device within a
 /// period needs this equation, not only the body's map over the whole period.
 pub trait Linear<T: Scalar, const S: usize>: OperatedBody<T> + Copy {
-    /// `A` of a body made of `parts`, in lane `lane`: 1/s, and 1/s² per unit of deflection.
-    fn rate(parts: &Self::Parts, lane: usize) -> SMatrix<f64, S, S>;
+    /// `A` of a body made of `parts`, computed in the `number` of each: 1/s, and 1/s² per unit of deflection.
+    fn rate<R: Scalar>(parts: &Self::Parts, number: impl Fn(T) -> R) -> SMatrix<R, S, S>;
 
-    /// The mass on which the effort acts, in lane `lane`, kg.
-    fn device_mass(parts: &Self::Parts, lane: usize) -> f64;
+    /// The mass on which the effort acts, kg.
+    fn device_mass(parts: &Self::Parts) -> T;
 
     /// The rest of the operator's spring, m.
     fn rest(&self) -> T;

@@ -1,6 +1,6 @@
 //! Exact motion of a linear body under a held input.
 
-use lyapunov_core::Scalar;
+use lyapunov_core::{Mask, Scalar};
 use nalgebra::SMatrix;
 
 /// `exp(A) − I`, without cancellation where `A` is small.
@@ -12,43 +12,132 @@ use nalgebra::SMatrix;
 ///
 /// The method is a Taylor polynomial of a halved matrix, then doubled by `E ← 2 E + E²` (scaling and squaring; Higham,
 /// Functions of Matrices, 2008, chapter 10). An `A` that is not finite gives entries that are not finite.
-pub fn held_input<R: Scalar<Mask = bool>, const N: usize>(
-    matrix: SMatrix<R, N, N>,
-) -> SMatrix<R, N, N> {
-    let half = R::of(0.5);
+#[inline(always)]
+pub fn held_input<R: Scalar, const N: usize>(matrix: SMatrix<R, N, N>) -> SMatrix<R, N, N> {
+    let (half, none, one) = (R::of(0.5), R::zero(), R::one());
     let mut scaled = matrix;
-    let mut halvings = 0;
-    while size(&scaled).above(half) && size(&scaled).finite() {
-        scaled *= half;
-        halvings += 1;
+    // In each lane.
+    let (mut halvings, mut most) = (none, none);
+    loop {
+        let size = size(&scaled);
+        let large = size.above(half) & size.finite();
+        if !large.any() {
+            break;
+        }
+        for entry in scaled.as_mut_slice() {
+            apart::<R>();
+            *entry = R::choose(large, *entry * half, *entry);
+        }
+        halvings += R::choose(large, one, none);
+        most += one;
     }
     let mut polynomial = SMatrix::identity();
+    let mut next = polynomial;
     for degree in (2..=degree::<R>()).rev() {
         let share = R::of(degree.into());
-        polynomial = SMatrix::identity() + (scaled * polynomial).map(|entry| entry / share);
+        multiply(&scaled, &polynomial, &mut next);
+        for (entry, unit) in polynomial.as_mut_slice().iter_mut().zip(next.as_slice()) {
+            apart::<R>();
+            *entry = none + *unit / share;
+        }
+        for at in 0..N {
+            polynomial[(at, at)] = one + next[(at, at)] / share;
+        }
     }
-    let mut increment = scaled * polynomial;
-    for _ in 0..halvings {
-        increment = increment * R::of(2.0) + increment * increment;
+    multiply(&scaled, &polynomial, &mut next);
+    let mut done = none;
+    while done.below(most).any() {
+        let (open, before, two) = (done.below(halvings), next, R::of(2.0));
+        let square = &mut polynomial;
+        multiply(&before, &before, square);
+        for (entry, square) in next.as_mut_slice().iter_mut().zip(square.as_slice()) {
+            apart::<R>();
+            *entry = R::choose(open, *entry * two + *square, *entry);
+        }
+        done += one;
     }
-    increment
+    next
+}
+
+/// The matrix product, into `all`. That of nalgebra is not always inlined, and so computes lanes on the base set of
+/// instructions; and the compiler finds the vectors of lanes between a read and a write.
+#[expect(clippy::needless_range_loop, reason = "a zip of columns and factors takes twice as long")]
+#[inline(always)]
+fn multiply<R: Scalar, const N: usize>(
+    one: &SMatrix<R, N, N>,
+    other: &SMatrix<R, N, N>,
+    all: &mut SMatrix<R, N, N>,
+) {
+    for (to, factors) in all.data.0.iter_mut().zip(&other.data.0) {
+        for (row, to) in to.iter_mut().enumerate() {
+            apart::<R>();
+            let mut sum = one.data.0[0][row] * factors[0];
+            for at in 1..N {
+                sum += one.data.0[at][row] * factors[at];
+            }
+            *to = sum;
+        }
+    }
+}
+
+/// The matrix product.
+#[inline(always)]
+pub(super) fn product<R: Scalar, const N: usize>(
+    one: &SMatrix<R, N, N>,
+    other: &SMatrix<R, N, N>,
+) -> SMatrix<R, N, N> {
+    let mut all = *one;
+    multiply(one, other, &mut all);
+    all
 }
 
 /// The first degree `n` whose term, at most `0.5ⁿ / n!`, is far below one rounding.
-fn degree<R: Scalar<Mask = bool>>() -> u8 {
-    let far_below = R::epsilon() * R::of(4e-9);
-    let (mut degree, mut term) = (1, R::of(0.5));
-    while term.above(far_below) {
+#[inline(always)]
+fn degree<R: Scalar>() -> u8 {
+    let far_below = R::epsilon().lane(0) * 4e-9;
+    let (mut degree, mut term) = (1, 0.5);
+    while term > far_below {
         degree += 1;
-        term *= R::of(0.5) / R::of(degree.into());
+        term *= 0.5 / f64::from(degree);
     }
     degree
 }
 
 /// The largest sum of magnitudes in a row.
-fn size<R: Scalar<Mask = bool>, const N: usize>(matrix: &SMatrix<R, N, N>) -> R {
-    let of_row = |row: usize| (0..N).fold(R::zero(), |sum, at| sum + matrix[(row, at)].magnitude());
+#[inline(always)]
+fn size<R: Scalar, const N: usize>(matrix: &SMatrix<R, N, N>) -> R {
+    let columns = &matrix.data.0;
+    let of_row = |row: usize| {
+        apart::<R>();
+        columns.iter().fold(R::zero(), |sum, it| sum + it[row].magnitude())
+    };
     (0..N).map(of_row).fold(R::zero(), |largest, row| row.larger(largest))
+}
+
+/// Stands in a loop over numbers of several lanes, which are vectors by themselves.
+///
+/// Without it the compiler makes vectors of one lane of neighbouring numbers, gathered and scattered, and takes ten times
+/// as long.
+///
+/// Such a loop is written out: the library's folds and maps of arrays are not always inlined, and what is not computes
+/// lanes on the base set of instructions.
+#[inline(always)]
+pub(super) fn apart<T: Scalar>() {
+    if T::LANES > 1 {
+        core::hint::black_box(());
+    }
+}
+
+/// Whether the lanes have all digits of construction, so that it may compute them at once.
+#[inline(always)]
+pub(super) fn has_all_digits<T: Scalar>() -> bool {
+    T::epsilon().real(0) == T::Real::epsilon()
+}
+
+/// The rows of `matrix`.
+#[inline(always)]
+pub(super) fn rows<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> [[T; N]; N] {
+    core::array::from_fn(|row| core::array::from_fn(|column| matrix[(row, column)]))
 }
 
 /// Each lane's matrix, by rows, rounded to the scalar.

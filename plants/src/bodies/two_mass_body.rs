@@ -3,9 +3,9 @@
 use lyapunov_core::{
     HeldTick, Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
 };
-use nalgebra::{Matrix4, SMatrix};
+use nalgebra::SMatrix;
 
-use super::propagation::by_rows;
+use super::propagation::{by_rows, has_all_digits, product, rows};
 use crate::{Linear, OperatedBody, TwoMassParts, held_input};
 
 /// An operator and a device joined by a link, moved exactly over each period; the sample reports the device's motion:
@@ -76,72 +76,83 @@ impl<V: Signal> TwoMassBody<V> {
     }
 
     /// The operator's position, m, and velocity, m/s.
-    #[inline]
+    #[inline(always)]
     pub fn operator(&self) -> (V, V) {
         (self.position + self.stretch, self.velocity + self.stretching)
     }
 }
 
+#[inline(always)]
 fn maps<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Result<Maps<T>, ParameterError> {
     let parts = parts.checked()?;
     let maps = two_mass_increments(parts, interval);
     let finite = maps.iter().flatten().fold(T::Mask::of(true), |all, entry| all & entry.finite());
-    match (0..T::LANES).find(|&lane| !finite.lane(lane)) {
-        None => Ok(maps),
-        Some(lane) => Err(ParameterError {
-            parameter: "device.mass",
-            value: parts.device.mass.lane(lane),
-            requirement: Requirement::InRange,
-        }),
+    if finite.all() {
+        return Ok(maps);
     }
+    let lane = (0..T::LANES).find(|&lane| !finite.lane(lane)).unwrap_or_default();
+    let (parameter, value) = ("device.mass", parts.device.mass.lane(lane));
+    Err(ParameterError { parameter, value, requirement: Requirement::InRange })
 }
 
 /// The gains of device, stretch and their velocities over `interval`; nothing is checked.
+#[inline(always)]
 pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> [[T; 5]; 4] {
-    let [position, stretch, velocity, stretching, _]: [[T; 5]; 5] = by_rows(|lane| {
-        let (device, centre) = views(parts, lane);
-        device * held_input(equations(parts, lane) * interval.real(lane)) * centre
-    });
+    let [position, stretch, velocity, stretching, _] = if has_all_digits::<T>() {
+        rows(&increments(parts, interval))
+    } else {
+        by_rows(|lane| increments(parts.map(|number| number.real(lane)), interval.real(lane)))
+    };
     [position, stretch, velocity, stretching]
 }
 
 /// A linear map of centre, stretch, their velocities and the held effort.
 type Map<R> = SMatrix<R, 5, 5>;
 
+#[inline(always)]
+fn increments<R: Scalar>(parts: TwoMassParts<R>, interval: R) -> Map<R> {
+    let (device, centre) = views(parts);
+    let rate = equations(parts);
+    let gains = held_input(Map::from_fn(|row, column| rate[row][column] * interval));
+    product(&product(&device, &gains), &centre)
+}
+
 /// From centre to device, and from device to centre: `x_d = X − m_o s / M`, alike for the velocities.
-fn views<T: Scalar>(parts: TwoMassParts<T>, lane: usize) -> (Map<T::Real>, Map<T::Real>) {
-    let (operator, device) = (parts.operator.mass.real(lane), parts.device.mass.real(lane));
+#[inline(always)]
+fn views<R: Scalar>(parts: TwoMassParts<R>) -> (Map<R>, Map<R>) {
+    let (operator, device) = (parts.operator.mass, parts.device.mass);
     let share = operator / (operator + device);
-    let view = |share: T::Real| {
-        let mut view = SMatrix::identity();
-        (view[(0, 1)], view[(2, 3)]) = (share, share);
-        view
+    let view = |share: R| {
+        Map::from_fn(|row, column| match (row, column) {
+            (0, 1) | (2, 3) => share,
+            _ if row == column => R::one(),
+            _ => R::zero(),
+        })
     };
     (view(-share), view(share))
 }
 
-/// The time derivatives of centre, stretch, their velocities and the held effort, as a map of the same.
-fn equations<T: Scalar>(parts: TwoMassParts<T>, lane: usize) -> Map<T::Real> {
-    let of = |value: T| value.real(lane);
-    let (operator, device, link) = (parts.operator, parts.device, parts.link);
-    let (mo, bo, k) = (of(operator.mass), of(operator.damping), of(operator.stiffness));
-    let (md, bd) = (of(device.mass), of(device.damping));
-    let (kl, bl) = (of(link.stiffness), of(link.damping));
+/// The time derivatives of centre, stretch, their velocities and the held effort by row, as a map of the same.
+#[inline(always)]
+fn equations<R: Scalar>(parts: TwoMassParts<R>) -> [[R; 5]; 5] {
+    let TwoMassParts { operator, device, link } = parts;
+    let (mo, bo, k) = (operator.mass, operator.damping, operator.stiffness);
+    let (md, bd) = (device.mass, device.damping);
+    let (kl, bl) = (link.stiffness, link.damping);
     let both = mo + md;
     let (to_operator, to_device) = (md / both, mo / both);
     let pulled = k * to_operator;
     let spring = pulled / mo + kl / mo + kl / md;
     let damper = bo * to_operator / mo + bd * to_device / md + bl / mo + bl / md;
     let skew = bd * to_device - bo * to_operator;
-    let (none, one) = (T::Real::of(0.0), T::Real::of(1.0));
-    let rows = [
+    let (none, one) = (R::zero(), R::one());
+    [
         [none, none, one, none, none],
         [none, none, none, one, none],
         [-k / both, -pulled / both, -(bo + bd) / both, skew / both, -one / both],
         [-k / mo, -spring, bd / md - bo / mo, -damper, one / md],
         [none; 5],
-    ];
-    SMatrix::from_row_slice(rows.as_flattened())
+    ]
 }
 
 impl<V: Signal> Plant<V> for TwoMassBody<V> {
@@ -185,6 +196,7 @@ impl<V: Signal> OperatedBody<V> for TwoMassBody<V> {
         self.rest = rest;
     }
 
+    #[inline(always)]
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
         self.maps = maps(parts, interval)?;
@@ -194,37 +206,39 @@ impl<V: Signal> OperatedBody<V> for TwoMassBody<V> {
 }
 
 impl<T: Scalar> Linear<T, 4> for TwoMassBody<T> {
-    fn rate(parts: &TwoMassParts<T>, lane: usize) -> Matrix4<f64> {
-        let of = |value: T| value.lane(lane);
-        let (operator, device, link) = (parts.operator, parts.device, parts.link);
-        let (mo, md) = (of(operator.mass), of(device.mass));
-        let (kl, bl) = (of(link.stiffness), of(link.damping));
-        let (k, bo, bd) = (of(operator.stiffness), of(operator.damping), of(device.damping));
+    #[inline(always)]
+    fn rate<R: Scalar>(parts: &TwoMassParts<T>, number: impl Fn(T) -> R) -> SMatrix<R, 4, 4> {
+        let TwoMassParts { operator, device, link } = parts.map(number);
+        let (mo, md) = (operator.mass, device.mass);
+        let (kl, bl) = (link.stiffness, link.damping);
+        let (k, bo, bd) = (operator.stiffness, operator.damping, device.damping);
+        let (none, one) = (R::zero(), R::one());
         let rows = [
-            [0.0, 1.0, 0.0, 0.0],
+            [none, one, none, none],
             [-(k + kl) / mo, -(bo + bl) / mo, kl / mo, bl / mo],
-            [0.0, 0.0, 0.0, 1.0],
+            [none, none, none, one],
             [kl / md, bl / md, -kl / md, -(bd + bl) / md],
         ];
-        Matrix4::from_row_slice(rows.as_flattened())
+        SMatrix::from_fn(|row, column| rows[row][column])
     }
 
-    fn device_mass(parts: &TwoMassParts<T>, lane: usize) -> f64 {
-        parts.device.mass.lane(lane)
+    #[inline(always)]
+    fn device_mass(parts: &TwoMassParts<T>) -> T {
+        parts.device.mass
     }
 
-    #[inline]
+    #[inline(always)]
     fn rest(&self) -> T {
         self.rest
     }
 
-    #[inline]
+    #[inline(always)]
     fn state(&self) -> [T; 4] {
         let (position, velocity) = self.operator();
         [position, velocity, self.position, self.velocity]
     }
 
-    #[inline]
+    #[inline(always)]
     fn place(&mut self, of: T::Mask, [x, v, position, velocity]: [T; 4]) {
         let choose = |new, kept| T::choose(of, new, kept);
         self.position = choose(position, self.position);

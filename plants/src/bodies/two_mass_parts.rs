@@ -34,6 +34,16 @@ pub struct ElasticJoint<T> {
 }
 
 impl<T: Scalar> TwoMassParts<T> {
+    /// `number` of each part.
+    #[inline(always)]
+    pub(crate) fn map<R>(self, number: impl Fn(T) -> R) -> TwoMassParts<R> {
+        let Self { operator, device, link } = self;
+        let device = DampedMass { mass: number(device.mass), damping: number(device.damping) };
+        let link =
+            ElasticJoint { stiffness: number(link.stiffness), damping: number(link.damping) };
+        TwoMassParts { operator: operator.map(&number), device, link }
+    }
+
     pub(crate) fn checked(self) -> Result<Self, ParameterError> {
         let Self { operator, device, link } = self;
         Requirement::Positive.check("operator.mass", operator.mass)?;

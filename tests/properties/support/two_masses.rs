@@ -1,9 +1,9 @@
 //! Operator and device joined by a spring and a damper, made for the tests.
 
-use nalgebra::{Matrix4, Matrix5};
+use nalgebra::{Matrix4, Matrix5, SMatrix};
 
 use lyapunov::{
-    HeldTick, ParameterError, Plant, PortSample,
+    HeldTick, ParameterError, Plant, PortSample, Scalar,
     bodies::{Impedance, Linear, OperatedBody, held_input},
 };
 
@@ -38,7 +38,7 @@ impl Plant<f64> for TwoMasses {
 
     fn advance(&mut self, effort: f64) -> PortSample<f64> {
         let mut generator = Matrix5::zeros();
-        generator.fixed_view_mut::<4, 4>(0, 0).copy_from(&Self::rate(&self.parts, 0));
+        generator.fixed_view_mut::<4, 4>(0, 0).copy_from(&Self::rate(&self.parts, |number| number));
         generator[(3, 4)] = -1.0 / self.parts[2].mass;
         let increment = held_input(generator * self.period);
         let [x1, v1, x2, v2] = self.state;
@@ -71,7 +71,7 @@ impl OperatedBody<f64> for TwoMasses {
 }
 
 impl Linear<f64, 4> for TwoMasses {
-    fn rate(parts: &Parts, _lane: usize) -> Matrix4<f64> {
+    fn rate<R: Scalar>(parts: &Parts, number: impl Fn(f64) -> R) -> SMatrix<R, 4, 4> {
         let [operator, link, device] = parts;
         let (k, b) = (link.stiffness, link.damping);
         let (m1, m2) = (operator.mass, device.mass);
@@ -82,10 +82,10 @@ impl Linear<f64, 4> for TwoMasses {
             0.0, 0.0, 0.0, 1.0,
             k / m2, b / m2, -k / m2, -(device.damping + b) / m2,
         );
-        rate
+        rate.map(number)
     }
 
-    fn device_mass(parts: &Parts, _lane: usize) -> f64 {
+    fn device_mass(parts: &Parts) -> f64 {
         parts[2].mass
     }
 

@@ -112,6 +112,7 @@ impl<V: Signal, B: OperatedBody<V> + Operated<V>> Plant<V> for Watched<B, V> {
         self.body.start()
     }
 
+    #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         let sample = self.body.advance(effort);
         self.seen.set(Some(self.body.operator()));
@@ -122,10 +123,12 @@ impl<V: Signal, B: OperatedBody<V> + Operated<V>> Plant<V> for Watched<B, V> {
 impl<V: Signal, B: OperatedBody<V> + Operated<V>> OperatedBody<V> for Watched<B, V> {
     type Parts = B::Parts;
 
+    #[inline(always)]
     fn rest_at(&mut self, rest: V) {
         self.body.rest_at(rest);
     }
 
+    #[inline(always)]
     fn reshape(&mut self, parts: B::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         self.body.reshape(parts, interval)
     }

@@ -3,7 +3,7 @@
 use lyapunov_core::{
     Accumulator, Compensated, HeldTick, ParameterError, Plant, PortSample, Scalar,
 };
-use nalgebra::{Matrix2, SVector};
+use nalgebra::SVector;
 
 use super::Stribeck;
 use super::series::System;
@@ -205,13 +205,13 @@ impl<const N: usize> Glide<N> {
     fn straight(mut self, system: &Planar<N>, along: SVector<f64, N>) -> Option<Self> {
         let Impedance { mass, damping, stiffness } = system.parts;
         let line = System {
-            rate: Matrix2::new(0.0, 1.0, -stiffness / mass, -damping / mass),
+            rate: [[0.0, 1.0], [-stiffness / mass, -damping / mass]],
             mass,
             effort: system.effort.dot(&along),
             law: system.law,
         };
         let state = [self.deflection.dot(&along), self.velocity.dot(&along)];
-        let trajectory = Trajectory::run(&line, state, self.remaining);
+        let trajectory = Trajectory::run(&line, state, self.remaining, true);
         if !trajectory.complete() {
             return None;
         }

@@ -1,6 +1,8 @@
 //! Dry friction on the device, with true sticking.
 
+mod exponential;
 mod isotropic;
+mod passage;
 mod root;
 mod series;
 mod stribeck;
@@ -9,14 +11,14 @@ mod transition;
 mod turning;
 
 use lyapunov_core::{
-    Accumulator, Compensated, HeldTick, ParameterError, Plant, PortSample, Scalar,
+    Accumulator, Compensated, HeldTick, Mask, ParameterError, Plant, PortSample, Scalar,
 };
 
 use crate::{Linear, OperatedBody};
 pub use isotropic::IsotropicFriction;
+use passage::Passage;
 use series::System;
 pub use stribeck::Stribeck;
-use trajectory::Trajectory;
 use transition::set;
 pub use transition::{Transition, Transitions};
 
@@ -29,8 +31,8 @@ pub use transition::{Transition, Transitions};
 /// No band of velocities counts as rest (Karnopp 1985), and the position of a device that sticks does not change by a
 /// bit.
 ///
-/// Friction acts on one axis; on several it is [`IsotropicFriction`]. Events branch, so each lane is computed by itself, in `f64`, and rounded at the end of
-/// the period; a step does not take constant time. With `static` 0 the body moves as it does without friction, bit for
+/// Friction acts on one axis; on several it is [`IsotropicFriction`]. It is computed in `f64` and rounded at the end of the
+/// period; lanes share the work between events, and each has its own. A step does not take constant time. With `static` 0 the body moves as it does without friction, bit for
 /// bit.
 ///
 /// A period may have 1024 pieces, about one for every radian that the fastest mode turns and one for each event.
@@ -90,46 +92,46 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
         &self.transitions
     }
 
-    fn system(&self, lane: usize, effort: T) -> System<S> {
+    /// The motion of the lanes `of`.
+    #[inline(always)]
+    fn passage(&self, effort: T, interval: T, of: T::Mask) -> Passage<T, S> {
+        if T::epsilon().real(0).lane(0) == f64::EPSILON {
+            let (system, state) = (self.system(effort, |it| it), self.deflected(|it| it));
+            return Passage::of(&system, state, interval, of);
+        }
+        let mut all = Passage::none();
+        for lane in (0..T::LANES).filter(|&lane| of.lane(lane)) {
+            let number = |number: T| number.lane(lane);
+            let (system, state) = (self.system(effort, number), self.deflected(number));
+            all.set(lane, &Passage::of(&system, state, number(interval), true));
+        }
+        all
+    }
+
+    #[inline(always)]
+    fn system<R: Scalar>(&self, effort: T, number: impl Fn(T) -> R + Copy) -> System<R, S> {
+        let rate = B::rate(&self.parts, number);
         System {
-            rate: B::rate(&self.parts, lane),
-            mass: B::device_mass(&self.parts, lane),
-            effort: effort.lane(lane),
-            law: self.law.lane(lane),
+            rate: core::array::from_fn(|row| core::array::from_fn(|column| rate[(row, column)])),
+            mass: number(B::device_mass(&self.parts)),
+            effort: number(effort),
+            law: self.law.map(number),
         }
     }
 
     /// Deflections and velocities.
-    fn deflected(&self, lane: usize) -> [f64; S] {
-        let (state, rest) = (self.body.state(), self.body.rest().lane(lane));
-        core::array::from_fn(|at| state[at].lane(lane) - if at % 2 == 0 { rest } else { 0.0 })
+    #[inline(always)]
+    fn deflected<R: Scalar>(&self, number: impl Fn(T) -> R) -> [R; S] {
+        let (state, rest) = (self.body.state(), number(self.body.rest()));
+        let at = |at: usize| number(state[at]);
+        core::array::from_fn(|index| if index % 2 == 0 { at(index) - rest } else { at(index) })
     }
 
-    /// Moves one lane from where `self` stands, writes its end to `after` and returns the energy that friction
-    /// dissipates.
-    fn passed(&mut self, lane: usize, effort: T, interval: T, after: &mut [T; S]) -> f64 {
-        let (system, state) = (self.system(lane, effort), self.deflected(lane));
-        let before = self.body.state();
-        let trajectory = Trajectory::run(&system, state, interval.lane(lane));
-        self.transitions.set(lane, &trajectory.log);
-        if !trajectory.complete() {
-            return self.passed_roughly(lane, effort, after);
-        }
-        for index in 0..S {
-            if index % 2 == 0 {
-                let mut gain = T::zero();
-                set(&mut gain, lane, trajectory.gain[index]);
-                set(&mut after[index], lane, (before[index] + gain).lane(lane));
-            } else {
-                set(&mut after[index], lane, trajectory.velocity(index));
-            }
-        }
-        trajectory.heat
-    }
-
-    /// The same, roughly, for a period with too many pieces.
-    fn passed_roughly(&mut self, lane: usize, effort: T, after: &mut [T; S]) -> f64 {
-        let (system, state) = (self.system(lane, effort), self.deflected(lane));
+    /// Moves one lane roughly, for a period with too many pieces: writes its end to `after` and returns the energy that
+    /// friction dissipates.
+    fn roughly(&self, lane: usize, effort: T, after: &mut [T; S]) -> f64 {
+        let number = |number: T| number.lane(lane);
+        let (system, state) = (self.system(effort, number), self.deflected(number));
         let (before, velocity) = (self.body.state(), state[S - 1]);
         let towards = if velocity == 0.0 { system.force(&state) } else { velocity };
         let friction = system.law.at(velocity.abs()).copysign(towards);
@@ -152,26 +154,33 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> 
         self.body.start()
     }
 
+    #[inline(always)]
     fn advance(&mut self, effort: T) -> PortSample<T> {
         let before = self.body.state();
         let mut moved = self.body;
         let sample = moved.advance(effort);
         let mut after = moved.state();
-        self.transitions = Transitions::none();
-        let (mut heat, mut rubbed) = (T::zero(), T::zero());
-        for lane in 0..T::LANES {
-            let finite = before.iter().all(|part| part.lane(lane).is_finite())
-                && effort.lane(lane).is_finite()
-                && self.body.rest().lane(lane).is_finite();
-            if finite && self.law.breakaway.lane(lane) > 0.0 {
-                let burnt = self.passed(lane, effort, sample.period, &mut after);
+        let around = effort.finite() & self.body.rest().finite();
+        let finite = before.iter().fold(around, |all, part| all & part.finite());
+        let rubbed = finite & self.law.breakaway.above(T::zero());
+        let passage = self.passage(effort, sample.period, rubbed);
+        let through = rubbed & passage.is_complete();
+        for (index, after) in after.iter_mut().enumerate() {
+            let gone = before[index] + passage.gain[index];
+            let passed = if index % 2 == 0 { gone } else { passage.velocity[index] };
+            *after = T::choose(through, passed, *after);
+        }
+        let mut heat = T::choose(through, passage.heat, T::zero());
+        let cut = rubbed & !through;
+        if cut.any() {
+            for lane in (0..T::LANES).filter(|&lane| cut.lane(lane)) {
+                let burnt = self.roughly(lane, effort, &mut after);
                 set(&mut heat, lane, burnt);
-                set(&mut rubbed, lane, 1.0);
             }
         }
+        self.transitions = passage.log;
         self.heat.add(heat);
         // A body may store its state in other numbers than it reports: a lane without friction is left alone.
-        let rubbed = rubbed.above(T::zero());
         moved.place(rubbed, after);
         self.body = moved;
         let displacement = T::choose(rubbed, after[S - 2] - before[S - 2], sample.displacement);
@@ -189,10 +198,12 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Plant<T> for Friction<B, T, S> 
 impl<T: Scalar, B: Linear<T, S>, const S: usize> OperatedBody<T> for Friction<B, T, S> {
     type Parts = B::Parts;
 
+    #[inline(always)]
     fn rest_at(&mut self, rest: T) {
         self.body.rest_at(rest);
     }
 
+    #[inline(always)]
     fn reshape(&mut self, parts: B::Parts, interval: T) -> Result<(), ParameterError> {
         self.body.reshape(parts, interval)?;
         self.parts = parts;

@@ -4,7 +4,7 @@
 pub(super) const ORDER: usize = 24;
 
 /// `Σ c[k] τᵏ` for `0 ≤ τ ≤ 1`.
-pub(super) type Polynomial = [f64; ORDER + 1];
+pub(super) type Polynomial<T = f64> = [T; ORDER + 1];
 
 /// The first `τ` in `[0, 1]` at which the polynomial stops being positive; where it starts from 0, the first
 /// after it has been positive, or 0 if it never is.

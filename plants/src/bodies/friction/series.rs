@@ -1,199 +1,253 @@
 //! Motion over a step as a polynomial, by Taylor's method.
 
-use nalgebra::SMatrix;
+use lyapunov_core::{Mask, Scalar};
 
 use super::Stribeck;
+use super::exponential::{Exponential, product};
 use super::root::{ORDER, Polynomial};
+use crate::bodies::propagation::apart;
 
-/// A linear body under a held effort, with friction on its device, in one lane.
-pub(super) struct System<const S: usize> {
-    pub(super) rate: SMatrix<f64, S, S>,
-    pub(super) mass: f64,
-    pub(super) effort: f64,
-    pub(super) law: Stribeck<f64>,
+/// A linear body under a held effort, with friction on its device, each lane by itself.
+pub(super) struct System<T, const S: usize> {
+    /// By row.
+    pub(super) rate: [[T; S]; S],
+    pub(super) mass: T,
+    pub(super) effort: T,
+    pub(super) law: Stribeck<T>,
 }
 
 /// State and friction over a step as polynomials of the share `τ` of it.
-pub(super) struct Series<const S: usize> {
+pub(super) struct Series<T, const S: usize> {
     /// Length of the step, s.
-    pub(super) step: f64,
-    pub(super) state: [Polynomial; S],
+    pub(super) step: T,
+    pub(super) state: [Polynomial<T>; S],
     /// Magnitude of the friction, N.
-    pub(super) friction: Polynomial,
+    pub(super) friction: Polynomial<T>,
 }
 
 /// The most that the last terms may amount to, as a share of the largest: half a rounding.
 const TAIL: f64 = f64::EPSILON / 8.0;
 
-impl<const S: usize> System<S> {
+/// The steps to try, each shorter, before a motion counts as out of range.
+const TRIES: usize = 8;
+
+impl<T: Scalar, const S: usize> System<T, S> {
     /// The force on the device at rest besides friction, N.
-    pub(super) fn force(&self, state: &[f64; S]) -> f64 {
+    #[inline(always)]
+    pub(super) fn force(&self, state: &[T; S]) -> T {
         self.force_of(|index| state[index]) - self.effort
     }
 
     /// The part of it that depends on the state, for any coefficient.
-    fn force_of(&self, state: impl Fn(usize) -> f64) -> f64 {
+    #[inline(always)]
+    fn force_of(&self, state: impl Fn(usize) -> T) -> T {
         self.mass * self.derivative(S - 1, state)
     }
 
-    fn derivative(&self, row: usize, state: impl Fn(usize) -> f64) -> f64 {
-        (0..S).map(|index| self.rate[(row, index)] * state(index)).sum()
+    #[inline(always)]
+    fn derivative(&self, row: usize, state: impl Fn(usize) -> T) -> T {
+        let row = &self.rate[row];
+        let mut sum = row[0] * state(0);
+        for (index, &rate) in row.iter().enumerate().skip(1) {
+            sum += rate * state(index);
+        }
+        sum
     }
 
     /// The rate at which the motion changes, rad/s: at least that of its fastest mode, the device held or not.
-    fn pace(&self, device: bool) -> f64 {
-        let rows = if device { S } else { S - 2 };
-        let row = |row: usize| {
-            let sum = |first: usize| {
-                (first..rows).step_by(2).map(|i| self.rate[(row, i)].abs()).sum::<f64>()
-            };
-            libm::sqrt(sum(0)) + sum(1)
-        };
-        (1..rows).step_by(2).map(row).fold(0.0, f64::max)
-    }
-
-    /// The series while the device slides in the direction `sense`, ±1, for `longest` s or less.
-    pub(super) fn slide(&self, state: &[f64; S], sense: f64, longest: f64) -> Option<Series<S>> {
-        let speed = state[S - 1].abs();
-        let varying = self.law.constant_above(speed).is_none();
-        self.series(state, self.pace(true), longest, |series, k, law| {
-            series.friction[k] = match (varying, k) {
-                (true, _) => law.coefficient(&self.law, &series.state[S - 1], k),
-                (false, 0) => self.law.coulomb,
-                (false, _) => 0.0,
-            };
-            let applied = if k == 0 { self.effort } else { 0.0 };
-            let force = self.force_of(|index| series.state[index][k]) - applied;
-            let gain = (force - sense * series.friction[k]) / self.mass;
-            // A motion from rest does not start backwards, not even by a rounding.
-            if k == 0 && speed == 0.0 { sense * (sense * gain).max(0.0) } else { gain }
-        })
-    }
-
-    /// The series while the device stands still for `longest` s or less and the rest of the body moves.
-    pub(super) fn stick(&self, state: &[f64; S], longest: f64) -> Option<Series<S>> {
-        self.series(state, self.pace(false), longest, |_, _, _| 0.0)
+    #[inline(always)]
+    fn pace(&self, device: bool) -> T {
+        let masses = if device { S / 2 } else { S / 2 - 1 };
+        let zero = T::zero();
+        let mut most = zero;
+        for mass in 0..masses {
+            let row = &self.rate[2 * mass + 1];
+            let (mut springs, mut dampers) = (zero, zero);
+            for other in 0..masses {
+                springs += row[2 * other].magnitude();
+                dampers += row[2 * other + 1].magnitude();
+            }
+            most = (springs.sqrt() + dampers).larger(most);
+        }
+        most
     }
 
     /// The force besides friction on a device that stands still.
-    pub(super) fn force_series(&self, series: &Series<S>) -> Polynomial {
-        core::array::from_fn(|k| {
-            let applied = if k == 0 { self.effort } else { 0.0 };
-            self.force_of(|index| series.state[index][k]) - applied
-        })
+    #[inline(always)]
+    pub(super) fn force_series(&self, series: &Series<T, S>) -> Polynomial<T> {
+        let mut force = [T::zero(); ORDER + 1];
+        for (k, coefficient) in force.iter_mut().enumerate() {
+            apart::<T>();
+            *coefficient = self.force_of(|index| series.state[index][k]);
+        }
+        force[0] -= self.effort;
+        force
     }
 
-    /// The series from `state` over a step in which they converge, or none if no such step is found; `device` is the
-    /// device's acceleration, coefficient by coefficient.
-    fn series(
+    /// The series from `state` over a step of `longest` s or less in which they converge, in those lanes `of` in which such
+    /// a step is found, and these lanes. The device slides in the direction `sense`, ±1, or stands still where that is 0.
+    #[inline(always)]
+    pub(super) fn series(
         &self,
-        state: &[f64; S],
-        pace: f64,
-        longest: f64,
-        device: impl Fn(&mut Series<S>, usize, &mut Exponential) -> f64,
-    ) -> Option<Series<S>> {
-        let mut step = longest.min(1.75 / pace);
-        for _ in 0..8 {
+        state: &[T; S],
+        sense: T,
+        longest: T,
+        of: T::Mask,
+    ) -> (Series<T, S>, T::Mask) {
+        let sliding = sense.magnitude().above(T::zero());
+        let zero = T::zero();
+        let loose = if sliding.any() { self.pace(true) } else { zero };
+        let held = if sliding.all() { zero } else { self.pace(false) };
+        let mut step = longest.smaller(T::of(1.75) / T::choose(sliding, loose, held));
+        let mut tries = 1;
+        loop {
             let mut series = Series::standing(state, step);
-            let mut law = Exponential::default();
-            for k in 0..ORDER {
-                let last = device(&mut series, k, &mut law);
-                let share = step / (k + 1) as f64;
-                for row in 0..S - 1 {
-                    let gain = self.derivative(row, |index| series.state[index][k]);
-                    series.state[row][k + 1] = share * gain;
-                }
-                series.state[S - 1][k + 1] = share * last;
+            self.expand(&mut series, sense, sliding);
+            let found = series.settle(self.law.breakaway, of);
+            if tries == TRIES || (found | !of).all() {
+                return (series, found);
             }
-            if series.settle(self.law.breakaway) {
-                return Some(series);
-            }
-            // Out of range. A shorter step makes the high coefficients far smaller.
-            step *= 1.0 / 4096.0;
+            // Out of range. A shorter step makes the high coefficients far smaller; the other lanes do the same again.
+            step = T::choose(found, step, step * T::of(1.0 / 4096.0));
+            tries += 1;
         }
-        None
+    }
+
+    /// Computes the coefficients after the first.
+    #[inline(always)]
+    fn expand(&self, series: &mut Series<T, S>, sense: T, sliding: T::Mask) {
+        let zero = T::zero();
+        let speed = series.state[S - 1][0].magnitude();
+        let (constant, _) = self.law.constant_above(speed);
+        let (varying, at_rest) = (sliding & !constant, !speed.above(zero));
+        let mut law = Exponential::none();
+        for k in 0..ORDER {
+            let share = series.step / T::of((k + 1) as f64);
+            let (coulomb, effort) =
+                if k == 0 { (self.law.coulomb, self.effort) } else { (zero, zero) };
+            let last = if sliding.any() {
+                let mut friction = T::choose(sliding, coulomb, zero);
+                if varying.any() {
+                    let falling = law.coefficient(&self.law, &series.state[S - 1], k);
+                    friction = T::choose(varying, falling, friction);
+                }
+                series.friction[k] = friction;
+                let force = self.force_of(|index| series.state[index][k]) - effort;
+                let gain = (force - sense * friction) / self.mass;
+                // A motion from rest does not start backwards, not even by a rounding.
+                let forwards = sense * (sense * gain).larger(zero);
+                let is_start = at_rest & T::Mask::of(k == 0);
+                T::choose(sliding, T::choose(is_start, forwards, gain), zero)
+            } else {
+                zero
+            };
+            for row in 0..S - 1 {
+                apart::<T>();
+                let gain = self.derivative(row, |index| series.state[index][k]);
+                series.state[row][k + 1] = share * gain;
+            }
+            series.state[S - 1][k + 1] = share * last;
+        }
     }
 }
 
-impl<const S: usize> Series<S> {
-    fn standing(state: &[f64; S], step: f64) -> Self {
-        let mut series = Self { step, state: [[0.0; ORDER + 1]; S], friction: [0.0; ORDER + 1] };
+impl<T: Scalar, const S: usize> Series<T, S> {
+    #[inline(always)]
+    fn standing(state: &[T; S], step: T) -> Self {
+        let none = [T::zero(); ORDER + 1];
+        let mut series = Self { step, state: [none; S], friction: none };
         for (polynomial, &value) in series.state.iter_mut().zip(state) {
             polynomial[0] = value;
         }
         series
     }
 
-    /// Halves the step, which is exact, until the series have converged at its end; false if they are not finite.
-    fn settle(&mut self, friction: f64) -> bool {
-        let finite = |polynomial: &Polynomial| polynomial.iter().all(|c| c.is_finite());
-        if !self.state.iter().all(finite) || !finite(&self.friction) {
-            return false;
+    /// Halves the step, which is exact, until the series have converged at its end; the lanes `of` where they have, which
+    /// are those where they are finite.
+    #[inline(always)]
+    fn settle(&mut self, friction: T, of: T::Mask) -> T::Mask {
+        let mut finite = of;
+        for polynomial in self.state.iter().chain([&self.friction]) {
+            for coefficient in polynomial {
+                apart::<T>();
+                finite = finite & coefficient.finite();
+            }
         }
         for _ in 0..1100 {
-            if self.converged(friction) {
-                return true;
+            let open = finite & !self.converged(friction);
+            if !open.any() {
+                return finite;
             }
-            self.step *= 0.5;
+            let half = T::of(0.5);
+            self.step = T::choose(open, self.step * half, self.step);
             for polynomial in self.state.iter_mut().chain([&mut self.friction]) {
-                let mut share = 1.0;
+                let mut share = T::one();
                 for coefficient in polynomial.iter_mut() {
-                    *coefficient *= share;
-                    share *= 0.5;
+                    apart::<T>();
+                    *coefficient = T::choose(open, *coefficient * share, *coefficient);
+                    share *= half;
                 }
             }
         }
-        false
+        finite & self.converged(friction)
     }
 
-    fn converged(&self, friction: f64) -> bool {
-        let most = |from: usize, state: usize| {
-            let largest =
-                |c: &Polynomial| c[from..].iter().fold(0.0, |most: f64, c| most.max(c.abs()));
-            self.state.iter().skip(state).step_by(2).map(largest).fold(0.0, f64::max)
+    #[inline(always)]
+    fn converged(&self, friction: T) -> T::Mask {
+        let tail = |first| {
+            let last = self.largest(ORDER - 1, first);
+            !last.above(T::of(TAIL) * self.largest(1, first))
         };
-        let tail = |state| most(ORDER - 1, state) <= TAIL * most(1, state);
-        let rest = self.friction[ORDER - 2..].iter().all(|c| c.abs() <= TAIL * friction);
-        tail(0) && tail(1) && rest
+        let enough = T::of(TAIL) * friction;
+        let mut all = tail(0) & tail(1);
+        for coefficient in &self.friction[ORDER - 2..] {
+            all = all & !coefficient.magnitude().above(enough);
+        }
+        all
+    }
+
+    /// The largest coefficient from `from` on of every other entry of the state, beginning with `first`.
+    #[inline(always)]
+    fn largest(&self, from: usize, first: usize) -> T {
+        let mut most = T::zero();
+        for mass in 0..S / 2 {
+            for coefficient in &self.state[2 * mass + first][from..] {
+                apart::<T>();
+                most = coefficient.magnitude().larger(most);
+            }
+        }
+        most
     }
 
     /// The gain of state `index` until `share`.
-    pub(super) fn gain(&self, index: usize, share: f64) -> f64 {
-        self.state[index][1..].iter().rev().fold(0.0, |sum, c| (sum + c) * share)
+    #[inline(always)]
+    pub(super) fn gain(&self, index: usize, share: T) -> T {
+        let mut sum = T::zero();
+        for &coefficient in self.state[index][1..].iter().rev() {
+            apart::<T>();
+            sum = (sum + coefficient) * share;
+        }
+        sum
     }
 
     /// The energy that friction dissipates until `share`, J.
-    pub(super) fn heat(&self, share: f64) -> f64 {
-        if self.friction[1..].iter().all(|&c| c == 0.0) {
-            return self.friction[0] * self.gain(S - 2, share).abs();
+    #[inline(always)]
+    pub(super) fn heat(&self, share: T) -> T {
+        let zero = T::zero();
+        let mut varies = T::Mask::of(false);
+        for coefficient in &self.friction[1..] {
+            apart::<T>();
+            varies = varies | coefficient.magnitude().above(zero);
+        }
+        let constant = self.friction[0] * self.gain(S - 2, share).magnitude();
+        if !varies.any() {
+            return constant;
         }
         let velocity = &self.state[S - 1];
-        let power = |k: usize| -> f64 { (0..=k).map(|j| self.friction[j] * velocity[k - j]).sum() };
-        let sum = (0..=ORDER).rev().fold(0.0, |sum, k| (sum + power(k) / (k + 1) as f64) * share);
-        (sum * self.step).abs()
-    }
-}
-
-/// The power series of `q = exp(−y²)`, from `k q_k = Σ j g_j q_(k−j)` for `q = exp g` (Knuth, The Art of Computer
-/// Programming, volume 2, section 4.7).
-#[derive(Default)]
-struct Exponential {
-    exponent: Polynomial,
-    value: Polynomial,
-}
-
-impl Exponential {
-    /// Coefficient `k` of the friction; the earlier ones must have been computed.
-    fn coefficient(&mut self, law: &Stribeck<f64>, velocity: &Polynomial, k: usize) -> f64 {
-        let ratio = |k: usize| velocity[k] / law.stribeck_velocity;
-        self.exponent[k] = -(0..=k).map(|j| ratio(j) * ratio(k - j)).sum::<f64>();
-        let spread = law.breakaway - law.coulomb;
-        if k == 0 {
-            self.value[0] = libm::exp(self.exponent[0]);
-            return law.coulomb + spread * self.value[0];
+        let mut sum = zero;
+        for k in (0..ORDER + 1).rev() {
+            sum = (sum + product(&self.friction, velocity, 0, k) / T::of((k + 1) as f64)) * share;
         }
-        let sum: f64 = (1..=k).map(|j| j as f64 * self.exponent[j] * self.value[k - j]).sum();
-        self.value[k] = sum / k as f64;
-        spread * self.value[k]
+        T::choose(varies, (sum * self.step).magnitude(), constant)
     }
 }

@@ -40,12 +40,29 @@ impl<T: Scalar> Stribeck<T> {
         fallen * T::of(-2.0) * (velocity / self.stribeck_velocity)
     }
 
-    pub(super) fn lane(self, lane: usize) -> Stribeck<f64> {
+    /// `number` of each part.
+    #[inline(always)]
+    pub(super) fn map<R>(self, number: impl Fn(T) -> R) -> Stribeck<R> {
         Stribeck {
-            coulomb: self.coulomb.lane(lane),
-            breakaway: self.breakaway.lane(lane),
-            stribeck_velocity: self.stribeck_velocity.lane(lane),
+            coulomb: number(self.coulomb),
+            breakaway: number(self.breakaway),
+            stribeck_velocity: number(self.stribeck_velocity),
         }
+    }
+
+    pub(super) fn lane(self, lane: usize) -> Stribeck<f64> {
+        self.map(|part| part.lane(lane))
+    }
+
+    /// The lanes where friction at `speed` is as good as constant, and the speed, m/s, down to which it is so there.
+    #[inline(always)]
+    pub(super) fn constant_above(&self, speed: T) -> (T::Mask, T) {
+        let falls = self.coulomb.below(self.breakaway);
+        // Entering takes a little more speed than staying, so that a motion that has just left does not come back at
+        // once.
+        let fast = speed.above(T::of(FAST + 1.0) * self.stribeck_velocity) & falls;
+        let floor = T::choose(fast, T::of(FAST) * self.stribeck_velocity, T::zero());
+        (fast | !falls, floor)
     }
 }
 
@@ -58,16 +75,5 @@ impl Stribeck<f64> {
     pub(super) fn at(&self, speed: f64) -> f64 {
         let ratio = speed / self.stribeck_velocity;
         self.coulomb + (self.breakaway - self.coulomb) * libm::exp(-ratio * ratio)
-    }
-
-    /// The speed, m/s, down to which friction is as good as constant, if it is so at `speed`.
-    pub(super) fn constant_above(&self, speed: f64) -> Option<f64> {
-        if self.coulomb == self.breakaway {
-            return Some(0.0);
-        }
-        // Entering takes a little more speed than staying, so that a motion that has just left does not come back at
-        // once.
-        let fast = speed > (FAST + 1.0) * self.stribeck_velocity;
-        fast.then_some(FAST * self.stribeck_velocity)
     }
 }

@@ -1,151 +1,218 @@
 //! Motion through one period, from event to event.
 
+use lyapunov_core::{Mask, Scalar};
+
 use super::Transition::{Cut, Reverse, Slip, Stick};
 use super::root::{Polynomial, first_fall};
 use super::series::{Series, System};
-use super::transition::Log;
+use super::transition::Transitions;
+use crate::bodies::propagation::apart;
 
 /// Most pieces of a period.
 const PIECES: usize = 1024;
 
-#[derive(Clone, Copy, PartialEq)]
-enum Phase {
-    Stuck,
-    /// Sliding in the direction ±1.
-    Sliding(f64),
-}
+/// The share of a step in which nothing happens.
+const NEVER: f64 = 2.0;
 
-/// The motion through one period, in one lane.
-pub(super) struct Trajectory<'a, const S: usize> {
-    system: &'a System<S>,
-    state: [f64; S],
-    elapsed: f64,
-    remaining: f64,
+/// The motion through one period, in lanes that share no event: each goes from event to event by itself, and what they
+/// compute between events they compute together. The lanes are of `f64`.
+pub(super) struct Trajectory<'a, T: Scalar, const S: usize> {
+    system: &'a System<T, S>,
+    state: [T; S],
+    /// The direction in which the device slides, ±1; 0 while it sticks.
+    sense: T,
+    elapsed: T,
+    remaining: T,
     /// The total gain, without the rounding of adding it to a deflection.
-    pub(super) gain: [f64; S],
+    pub(super) gain: [T; S],
     /// The energy that friction dissipated, J.
-    pub(super) heat: f64,
-    pub(super) log: Log,
+    pub(super) heat: T,
+    pub(super) log: Transitions<T>,
 }
 
-impl<'a, const S: usize> Trajectory<'a, S> {
-    /// The motion from `state` through `interval` s.
-    pub(super) fn run(system: &'a System<S>, state: [f64; S], interval: f64) -> Self {
-        let (gain, log) = ([0.0; S], Log::default());
+/// ±1 by the sign of a number that is not 0.
+#[inline(always)]
+fn sign<T: Scalar>(of: T) -> T {
+    T::choose(of.below(T::zero()), -T::one(), T::one())
+}
+
+#[inline(always)]
+fn is_zero<T: Scalar>(number: T) -> T::Mask {
+    !(number.above(T::zero()) | number.below(T::zero()))
+}
+
+impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
+    /// The motion of the lanes `of` from `state` through `interval` s; the others stay where they are.
+    #[inline(always)]
+    pub(super) fn run(system: &'a System<T, S>, state: [T; S], interval: T, of: T::Mask) -> Self {
+        let zero = T::zero();
+        let (gain, log, velocity) = ([zero; S], Transitions::none(), state[S - 1]);
+        let remaining = T::choose(of, interval, zero);
+        let sense = sign(velocity);
         let mut trajectory =
-            Self { system, state, elapsed: 0.0, remaining: interval, gain, heat: 0.0, log };
-        let mut phase = match state[S - 1] {
-            0.0 => trajectory.at_rest(),
-            velocity => Phase::Sliding(velocity.signum()),
-        };
-        if state[S - 1] == 0.0 && phase != Phase::Stuck && interval > 0.0 {
-            trajectory.log.note(0.0, Slip);
+            Self { system, state, sense, elapsed: zero, remaining, gain, heat: zero, log };
+        let still = is_zero(velocity);
+        if still.any() {
+            trajectory.sense = T::choose(still, trajectory.at_rest(), sense);
+            let moves = still & !is_zero(trajectory.sense) & remaining.above(zero);
+            trajectory.log.note(moves, zero, Slip);
         }
+        let mut cut = T::Mask::of(false);
         for _ in 0..PIECES {
-            if trajectory.remaining <= 0.0 {
+            let running = trajectory.remaining.above(zero) & !cut;
+            if !running.any() {
                 break;
             }
-            let next = match phase {
-                Phase::Stuck => trajectory.stick(),
-                Phase::Sliding(sense) => trajectory.slide(sense),
-            };
-            match next {
-                Some(next) => phase = next,
-                None => break,
-            }
+            cut = cut | trajectory.piece(running);
         }
-        if trajectory.remaining > 0.0 {
-            trajectory.log = Log::default();
-            trajectory.log.note(0.0, Cut);
+        let cut = trajectory.remaining.above(zero);
+        if cut.any() {
+            trajectory.log.clear(cut);
+            trajectory.log.note(cut, zero, Cut);
         }
         trajectory
     }
 
-    /// Whether it reached the end of the period.
-    pub(super) fn complete(&self) -> bool {
-        self.remaining <= 0.0
+    /// The lanes that reached the end of the period.
+    #[inline(always)]
+    pub(super) fn complete(&self) -> T::Mask {
+        !self.remaining.above(T::zero())
     }
 
     /// Entry `index` of the state, a velocity. It is not a sum of gains: a device at rest has exactly 0.
-    pub(super) fn velocity(&self, index: usize) -> f64 {
+    #[inline(always)]
+    pub(super) fn velocity(&self, index: usize) -> T {
         self.state[index]
     }
 
-    /// The phase of a device that has come to rest.
-    fn at_rest(&self) -> Phase {
+    /// The direction in which a device that has come to rest starts to slide, or 0 if it sticks.
+    #[inline(always)]
+    fn at_rest(&self) -> T {
         let force = self.system.force(&self.state);
-        if force.abs() <= self.system.law.breakaway {
-            Phase::Stuck
-        } else {
-            Phase::Sliding(force.signum())
-        }
+        let slips = force.magnitude().above(self.system.law.breakaway) | !force.finite();
+        T::choose(slips, sign(force), T::zero())
     }
 
-    fn stick(&mut self) -> Option<Phase> {
-        let series = self.system.stick(&self.state, self.remaining)?;
-        let force = self.system.force_series(&series);
+    /// Moves the lanes `running` on to their next event or the end of their step; returns those in which there is no step.
+    #[inline(always)]
+    fn piece(&mut self, running: T::Mask) -> T::Mask {
+        let (series, found) = self.system.series(&self.state, self.sense, self.remaining, running);
+        let sticking = found & is_zero(self.sense);
+        let sliding = found & !is_zero(self.sense);
+        let never = T::of(NEVER);
+        let (mut first, mut start, mut floor) = (never, self.sense, T::zero());
+        if sticking.any() {
+            (first, start) = self.first_slip(&series, sticking);
+        }
+        if sliding.any() {
+            let fall;
+            (fall, floor) = self.first_stop(&series, sliding);
+            first = T::choose(sliding, fall, first);
+        }
+        let happens = first.below(never);
+        let share = T::choose(happens, first, T::one());
+        let before = self.state[S - 1];
+        if sliding.any() {
+            self.heat = T::choose(sliding, self.heat + series.heat(share), self.heat);
+        }
+        self.pass(&series, share, found);
+        let slips = sticking & happens;
+        if slips.any() {
+            self.log.note(slips, self.elapsed, Slip);
+            self.sense = T::choose(slips, start, self.sense);
+        }
+        let stopped = happens & is_zero(floor);
+        let moves_on = (self.sense * self.state[S - 1]).above(T::zero()) & !stopped;
+        let stops = sliding & !moves_on;
+        if stops.any() {
+            self.stop(stops, is_zero(before) & is_zero(first));
+        }
+        running & !found
+    }
+
+    /// The share of the step at which a device at rest slips, if it does, and the direction.
+    #[inline(always)]
+    fn first_slip(&self, series: &Series<T, S>, sticking: T::Mask) -> (T, T) {
+        let force = self.system.force_series(series);
         let breakaway = self.system.law.breakaway;
-        let slip = |sense: f64| {
-            let mut reserve = force.map(|coefficient| -sense * coefficient);
+        let slip = |sense: T| {
+            let mut reserve = force;
+            for coefficient in &mut reserve {
+                apart::<T>();
+                *coefficient = -sense * *coefficient;
+            }
             // A force within a rounding above static friction counts as equal to it: this device was just found to
             // stick.
-            reserve[0] = (reserve[0] + breakaway).max(0.0);
-            first_fall(&reserve).map(|share| (share, sense))
+            reserve[0] = (reserve[0] + breakaway).larger(T::zero());
+            falls(&reserve, sticking)
         };
-        let first = match (slip(1.0), slip(-1.0)) {
-            (Some(forwards), Some(back)) if back.0 < forwards.0 => Some(back),
-            (None, back) => back,
-            (forwards, _) => forwards,
-        };
-        self.pass(&series, first.map_or(1.0, |(share, _)| share));
-        Some(match first {
-            None => Phase::Stuck,
-            Some((_, sense)) => {
-                self.log.note(self.elapsed, Slip);
-                Phase::Sliding(sense)
-            }
-        })
+        let one = T::one();
+        let (forwards, back) = (slip(one), slip(-one));
+        let is_back = back.below(forwards);
+        (T::choose(is_back, back, forwards), T::choose(is_back, -one, one))
     }
 
-    fn slide(&mut self, sense: f64) -> Option<Phase> {
-        let start = self.state[S - 1];
-        let series = self.system.slide(&self.state, sense, self.remaining)?;
-        let floor = self.system.law.constant_above(start.abs()).unwrap_or(0.0);
-        let mut above: Polynomial = series.state[S - 1].map(|coefficient| sense * coefficient);
+    /// The share of the step at which a sliding device is down to a speed, if it is, and that speed.
+    #[inline(always)]
+    fn first_stop(&self, series: &Series<T, S>, sliding: T::Mask) -> (T, T) {
+        let (_, floor) = self.system.law.constant_above(self.state[S - 1].magnitude());
+        let mut above = series.state[S - 1];
+        for coefficient in &mut above {
+            apart::<T>();
+            *coefficient = self.sense * *coefficient;
+        }
         above[0] -= floor;
-        let fall = first_fall(&above);
-        self.heat += series.heat(fall.unwrap_or(1.0));
-        self.pass(&series, fall.unwrap_or(1.0));
-        let stopped = floor == 0.0 && fall.is_some();
-        if !stopped && sense * self.state[S - 1] > 0.0 {
-            return Some(Phase::Sliding(sense));
-        }
-        self.state[S - 1] = 0.0;
-        let next = match self.at_rest() {
-            // The device did not leave rest: the force equals static friction within rounding, and falls.
-            Phase::Sliding(_) if start == 0.0 && fall == Some(0.0) => Phase::Stuck,
-            next => next,
-        };
-        match next {
-            Phase::Stuck => self.log.note(self.elapsed, Stick),
-            // At the end of the period the next effort decides.
-            Phase::Sliding(towards) if towards != sense && self.remaining > 0.0 => {
-                self.log.note(self.elapsed, Reverse);
-            }
-            Phase::Sliding(_) => {}
-        }
-        Some(next)
+        (falls(&above, sliding), floor)
     }
 
-    /// Moves on by `share` of the step.
-    fn pass(&mut self, series: &Series<S>, share: f64) {
-        for (index, value) in self.state.iter_mut().enumerate() {
+    /// Ends the sliding of some lanes at rest; in those where the device `never_left` rest it sticks.
+    #[inline(always)]
+    fn stop(&mut self, stops: T::Mask, never_left: T::Mask) {
+        let zero = T::zero();
+        self.state[S - 1] = T::choose(stops, zero, self.state[S - 1]);
+        // Where it never left rest, the force equals static friction within rounding, and falls.
+        let next = T::choose(never_left, zero, self.at_rest());
+        let sticks = is_zero(next);
+        self.log.note(stops & sticks, self.elapsed, Stick);
+        // At the end of the period the next effort decides.
+        let turns = (next * self.sense).below(zero) & self.remaining.above(zero);
+        self.log.note(stops & turns, self.elapsed, Reverse);
+        self.sense = T::choose(stops, next, self.sense);
+    }
+
+    /// Moves the lanes `of` on by `share` of the step.
+    #[inline(always)]
+    fn pass(&mut self, series: &Series<T, S>, share: T, of: T::Mask) {
+        let only = |new: T, kept: T| T::choose(of, new, kept);
+        for (index, (value, total)) in self.state.iter_mut().zip(&mut self.gain).enumerate() {
             let gain = series.gain(index, share);
-            *value += gain;
-            self.gain[index] += gain;
+            *value = only(*value + gain, *value);
+            *total = only(*total + gain, *total);
         }
         let passed = share * series.step;
-        self.elapsed += passed;
-        self.remaining -= passed;
+        self.elapsed = only(self.elapsed + passed, self.elapsed);
+        self.remaining = only(self.remaining - passed, self.remaining);
     }
+}
+
+/// [`first_fall`] in the lanes `of`, and [`NEVER`] where there is none.
+#[inline(always)]
+fn falls<T: Scalar>(polynomial: &Polynomial<T>, of: T::Mask) -> T {
+    let never = T::of(NEVER);
+    // Most lanes stay above 0 so surely that this sum is too.
+    let mut sum = T::zero();
+    for coefficient in polynomial {
+        apart::<T>();
+        sum += coefficient.smaller(T::zero());
+    }
+    let stays = polynomial[0].above(T::zero()) & (sum + polynomial[0]).above(T::zero());
+    if (stays | !of).all() {
+        return never;
+    }
+    T::from_lanes(|lane| {
+        if !of.lane(lane) || stays.lane(lane) {
+            return NEVER;
+        }
+        first_fall(&polynomial.map(|coefficient| coefficient.lane(lane))).unwrap_or(NEVER)
+    })
 }

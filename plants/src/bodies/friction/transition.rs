@@ -1,6 +1,6 @@
 //! Transitions between sticking and sliding.
 
-use lyapunov_core::Scalar;
+use lyapunov_core::{Mask, Scalar};
 
 /// Transition of a device under friction at an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,21 +21,6 @@ const KINDS: [Transition; 4] =
 /// Number of transitions kept per period.
 const KEPT: usize = 4;
 
-/// The transitions of one period in one lane.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Log {
-    count: usize,
-    last: [(f64, usize); KEPT],
-}
-
-impl Log {
-    pub(super) fn note(&mut self, instant: f64, transition: Transition) {
-        self.last.rotate_left(1);
-        self.last[KEPT - 1] = (instant, transition as usize);
-        self.count += 1;
-    }
-}
-
 /// The transitions of the last period.
 #[derive(Clone, Copy, Debug)]
 pub struct Transitions<T> {
@@ -45,15 +30,42 @@ pub struct Transitions<T> {
 }
 
 impl<T: Scalar> Transitions<T> {
+    #[inline(always)]
     pub(super) fn none() -> Self {
         Self { count: T::zero(), instants: [T::zero(); KEPT], kinds: [T::zero(); KEPT] }
     }
 
-    pub(super) fn set(&mut self, lane: usize, log: &Log) {
-        set(&mut self.count, lane, log.count as f64);
-        for (at, &(instant, kind)) in log.last.iter().enumerate() {
-            set(&mut self.instants[at], lane, instant);
-            set(&mut self.kinds[at], lane, kind as f64);
+    /// Adds a transition in the lanes `of`.
+    #[inline(always)]
+    pub(super) fn note(&mut self, of: T::Mask, instant: T, transition: Transition) {
+        if !of.any() {
+            return;
+        }
+        let only = |new: T, kept: T| T::choose(of, new, kept);
+        for list in
+            [(&mut self.instants, instant), (&mut self.kinds, T::of(transition as u8 as f64))]
+        {
+            let (list, last) = list;
+            for at in 1..KEPT {
+                list[at - 1] = only(list[at], list[at - 1]);
+            }
+            list[KEPT - 1] = only(last, list[KEPT - 1]);
+        }
+        self.count = only(self.count + T::one(), self.count);
+    }
+
+    /// Forgets the transitions of the lanes `of`.
+    #[inline(always)]
+    pub(super) fn clear(&mut self, of: T::Mask) {
+        self.count = T::choose(of, T::zero(), self.count);
+    }
+
+    /// Sets lane `lane` to those of a motion by itself.
+    pub(super) fn set(&mut self, lane: usize, log: &Transitions<f64>) {
+        set(&mut self.count, lane, log.count);
+        for at in 0..KEPT {
+            set(&mut self.instants[at], lane, log.instants[at]);
+            set(&mut self.kinds[at], lane, log.kinds[at]);
         }
     }
 
@@ -72,6 +84,7 @@ impl<T: Scalar> Transitions<T> {
 }
 
 /// Sets lane `lane` of `scalar` to `value`.
+#[inline(always)]
 pub(super) fn set<T: Scalar>(scalar: &mut T, lane: usize, value: f64) {
     let all = *scalar;
     *scalar = T::from_lanes(|index| if index == lane { value } else { all.lane(index) });

@@ -63,15 +63,12 @@ impl<const N: usize> Planar<N> {
     ) -> Option<Turning<N>> {
         let (speed, Impedance { mass, damping, stiffness }) = (velocity.norm(), self.parts);
         let change = self.acceleration(deflection, velocity).norm();
-        let floor = self.law.constant_above(speed);
-        let varies = match floor {
-            None => self.law.stribeck_velocity,
-            Some(floor) => speed - floor,
-        };
+        let (is_constant, floor) = self.law.constant_above(speed);
+        let varies = if is_constant { speed - floor } else { self.law.stribeck_velocity };
         let pace = libm::sqrt(stiffness / mass) + damping / mass;
         let step = longest.min(CAUTION * speed.min(varies) / change).min(1.0 / pace);
         let mut turning = Turning::standing(deflection, velocity, step);
-        if !(step > 0.0 && turning.expand(self, floor.is_none())) {
+        if !(step > 0.0 && turning.expand(self, !is_constant)) {
             return None;
         }
         turning.share = turning.converged();

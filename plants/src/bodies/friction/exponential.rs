@@ -1,0 +1,61 @@
+//! Power series of the friction of a changing velocity.
+
+use lyapunov_core::Scalar;
+
+use super::Stribeck;
+use super::root::{ORDER, Polynomial};
+use crate::bodies::propagation::apart;
+
+/// The power series of `q = exp(−y²)`, from `k q_k = Σ j g_j q_(k−j)` for `q = exp g` (Knuth, The Art of Computer
+/// Programming, volume 2, section 4.7).
+pub(super) struct Exponential<T> {
+    ratio: Polynomial<T>,
+    /// Coefficient `j` of the exponent, `j` times.
+    exponent: Polynomial<T>,
+    value: Polynomial<T>,
+}
+
+impl<T: Scalar> Exponential<T> {
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        let none = [T::zero(); ORDER + 1];
+        Self { ratio: none, exponent: none, value: none }
+    }
+
+    /// Coefficient `k` of the friction; the earlier ones must have been computed.
+    #[inline(always)]
+    pub(super) fn coefficient(
+        &mut self,
+        law: &Stribeck<T>,
+        velocity: &Polynomial<T>,
+        k: usize,
+    ) -> T {
+        self.ratio[k] = velocity[k] / law.stribeck_velocity;
+        let square = product(&self.ratio, &self.ratio, 0, k);
+        let spread = law.breakaway - law.coulomb;
+        if k == 0 {
+            self.value[0] = T::from_lanes(|lane| libm::exp(-square.lane(lane)));
+            return law.coulomb + spread * self.value[0];
+        }
+        self.exponent[k] = T::of(k as f64) * -square;
+        let sum = product(&self.exponent, &self.value, 1, k);
+        self.value[k] = sum / T::of(k as f64);
+        spread * self.value[k]
+    }
+}
+
+/// The sum of `a_j b_(k − j)` for `j` from `first` to `k`.
+#[inline(always)]
+pub(super) fn product<T: Scalar>(
+    a: &Polynomial<T>,
+    b: &Polynomial<T>,
+    first: usize,
+    k: usize,
+) -> T {
+    let mut sum = a[first] * b[k - first];
+    for j in first + 1..k + 1 {
+        apart::<T>();
+        sum += a[j] * b[k - j];
+    }
+    sum
+}
