@@ -230,8 +230,8 @@ gcc -O2 -std=c11 "${warnings[@]}" -Iinclude tests/c/equal.c $library -o "$out/eq
 if have valgrind; then
     gcc -std=c11 -g -Iinclude tests/c/hard.c $library -lm -o "$out/hard"
     for program in hard equal; do
-        valgrind --quiet --error-exitcode=1 --suppressions=tests/c/valgrind.supp "$out/$program" 20 >"$out/valgrind.log" ||
-            { cat "$out/valgrind.log"; exit 1; }
+        valgrind --quiet --error-exitcode=1 "$out/$program" 20 >"$out/valgrind.log" ||
+            { head -100 "$out/valgrind.log"; exit 1; }
     done
     echo "valgrind: hard inputs, and $(wc -l <"$out/valgrind.log") blocks over 20 ticks: no finding"
 else

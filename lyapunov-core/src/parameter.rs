@@ -1,6 +1,7 @@
 //! Parameter errors: the values that a constructor rejects.
 
 use core::fmt;
+use core::ops::RangeInclusive;
 
 use crate::{Scalar, Signal};
 
@@ -44,15 +45,18 @@ pub enum Requirement {
 }
 
 impl Requirement {
-    fn holds(self, value: f64) -> bool {
+    /// The numbers that are right. Taken before a value is looked at: most requirements have no number, and optimised code
+    /// that reads one of them from an axis to the next branches on memory that was never written.
+    fn range(self) -> RangeInclusive<f64> {
+        // The smallest number above 0.
+        const LEAST: f64 = f64::from_bits(1);
         match self {
-            Self::Finite => value.is_finite(),
-            Self::Positive => value.is_finite() && value > 0.0,
-            Self::NonNegative => value.is_finite() && value >= 0.0,
-            Self::Limit => value >= 0.0,
-            Self::AtMost(most) => value <= most,
-            Self::AtLeast(least) => value.is_finite() && value >= least,
-            Self::InRange => value.is_finite(),
+            Self::Finite | Self::InRange => f64::MIN..=f64::MAX,
+            Self::Positive => LEAST..=f64::MAX,
+            Self::NonNegative => 0.0..=f64::MAX,
+            Self::Limit => 0.0..=f64::INFINITY,
+            Self::AtMost(most) => f64::NEG_INFINITY..=most,
+            Self::AtLeast(least) => least.clamp(f64::MIN, f64::INFINITY)..=f64::MAX,
         }
     }
 
@@ -61,7 +65,7 @@ impl Requirement {
     /// # Errors
     /// A [`ParameterError`] that names `parameter` and the first lane's value that is not right.
     pub fn check<T: Scalar>(self, parameter: &'static str, value: T) -> Result<T, ParameterError> {
-        match (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(lane)) {
+        match outside(&self.range(), value) {
             Some(value) => Err(ParameterError { parameter, value, requirement: self }),
             None => Ok(value),
         }
@@ -85,16 +89,21 @@ impl Requirement {
         parameter: &'static str,
         signal: V,
     ) -> Result<V, ParameterError> {
-        let mut refused = None;
+        let (range, mut refused) = (self.range(), None);
         let _ = signal.map(|axis| {
-            refused = refused.or(self.check(parameter, axis).err());
+            refused = refused.or_else(|| outside(&range, axis));
             axis
         });
         match refused {
-            Some(error) => Err(error),
+            Some(value) => Err(ParameterError { parameter, value, requirement: self }),
             None => Ok(signal),
         }
     }
+}
+
+/// The first lane of `value` that is not in `range`.
+fn outside<T: Scalar>(range: &RangeInclusive<f64>, value: T) -> Option<f64> {
+    (0..T::LANES).map(|lane| value.lane(lane)).find(|lane| !range.contains(lane))
 }
 
 impl fmt::Display for Requirement {

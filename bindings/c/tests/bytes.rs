@@ -94,7 +94,7 @@ stabilizer!(tank, tank, |_| P {
 });
 stabilizer!(side, two_port_side, |_| P { damping_limit: 80.0 });
 
-/// What valgrind.supp leaves out: no byte of the restored value decides anything before it is written.
+/// No byte of the restored value decides anything before it is written.
 #[test]
 fn a_restored_screw() {
     use blocks::lolc::of_f32screw::Parameters as L;
