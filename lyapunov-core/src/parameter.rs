@@ -1,7 +1,6 @@
 //! Parameter errors: the values that a constructor rejects.
 
 use core::fmt;
-use core::ops::RangeInclusive;
 
 use crate::{Scalar, Signal};
 
@@ -45,19 +44,30 @@ pub enum Requirement {
 }
 
 impl Requirement {
-    /// The numbers that are right. Taken before a value is looked at: most requirements have no number, and optimised code
-    /// that reads one of them from an axis to the next branches on memory that was never written.
-    fn range(self) -> RangeInclusive<f64> {
-        // The smallest number above 0.
-        const LEAST: f64 = f64::from_bits(1);
+    /// The number of a requirement that has one, else 0. Taken before an axis is looked at: most have none, and optimised
+    /// code that looks for it from axis to axis branches on memory that was never written.
+    fn number(self) -> f64 {
         match self {
-            Self::Finite | Self::InRange => f64::MIN..=f64::MAX,
-            Self::Positive => LEAST..=f64::MAX,
-            Self::NonNegative => 0.0..=f64::MAX,
-            Self::Limit => 0.0..=f64::INFINITY,
-            Self::AtMost(most) => f64::NEG_INFINITY..=most,
-            Self::AtLeast(least) => least.clamp(f64::MIN, f64::INFINITY)..=f64::MAX,
+            Self::AtMost(number) | Self::AtLeast(number) => number,
+            _ => 0.0,
         }
+    }
+
+    /// Whether `value` is right, for a requirement with this [`number`](Self::number).
+    fn holds(self, number: f64, value: f64) -> bool {
+        match self {
+            Self::Finite | Self::InRange => value.is_finite(),
+            Self::Positive => value.is_finite() && value > 0.0,
+            Self::NonNegative => value.is_finite() && value >= 0.0,
+            Self::Limit => value >= 0.0,
+            Self::AtMost(_) => value <= number,
+            Self::AtLeast(_) => value.is_finite() && value >= number,
+        }
+    }
+
+    /// The first lane of `value` that is not right.
+    fn missed<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
+        (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
     }
 
     /// `value` if every lane of it is right.
@@ -65,7 +75,7 @@ impl Requirement {
     /// # Errors
     /// A [`ParameterError`] that names `parameter` and the first lane's value that is not right.
     pub fn check<T: Scalar>(self, parameter: &'static str, value: T) -> Result<T, ParameterError> {
-        match outside(&self.range(), value) {
+        match self.missed(self.number(), value) {
             Some(value) => Err(ParameterError { parameter, value, requirement: self }),
             None => Ok(value),
         }
@@ -89,9 +99,9 @@ impl Requirement {
         parameter: &'static str,
         signal: V,
     ) -> Result<V, ParameterError> {
-        let (range, mut refused) = (self.range(), None);
+        let (number, mut refused) = (self.number(), None);
         let _ = signal.map(|axis| {
-            refused = refused.or_else(|| outside(&range, axis));
+            refused = refused.or_else(|| self.missed(number, axis));
             axis
         });
         match refused {
@@ -99,11 +109,6 @@ impl Requirement {
             None => Ok(signal),
         }
     }
-}
-
-/// The first lane of `value` that is not in `range`.
-fn outside<T: Scalar>(range: &RangeInclusive<f64>, value: T) -> Option<f64> {
-    (0..T::LANES).map(|lane| value.lane(lane)).find(|lane| !range.contains(lane))
 }
 
 impl fmt::Display for Requirement {
