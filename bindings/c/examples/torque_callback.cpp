@@ -1,7 +1,8 @@
 // Torque callback at 1 kHz in the shape of libfranka's, with a stub in place of the robot: an impedance that is too stiff
 // for torques that act late, made passive joint by joint.
 //
-// With libfranka: include <franka/robot.h> and remove the namespace `franka` below; the callback stays as it is.
+// With libfranka: include <franka/robot.h>, remove the namespace `franka` below, and connect to your robot where the stub is
+// placed; the callback stays as it is.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +12,8 @@
 #include <lyapunov.hpp>
 
 constexpr std::size_t joints = 7;
+constexpr double period = 1e-3; // s
+constexpr std::array<double, joints> inertia{{0.6, 0.6, 0.4, 0.4, 0.1, 0.1, 0.05}}; // the least that moves with each, kg.m2
 
 // What of libfranka's names the callback uses.
 namespace franka {
@@ -60,9 +63,7 @@ public:
         }
     }
 
-    static constexpr double period = 1e-3;
     static constexpr double friction = 0.05; // N.m.s/rad
-    static constexpr std::array<double, joints> inertia{{0.6, 0.6, 0.4, 0.4, 0.1, 0.1, 0.05}}; // kg.m2
     RobotState state;
 };
 
@@ -81,9 +82,9 @@ bool prepared(std::array<Joint, joints> &stabilizers)
     for (std::size_t joint = 0; joint < joints; ++joint) {
         lyapunov::DampingLimit<double> limit;
         // Two ticks late, and 20 rad/s is more than a joint turns.
-        const auto limited = limit.of_mass(0.5, franka::Robot::inertia[joint], franka::Robot::period, 2);
+        const auto limited = limit.of_mass(0.5, inertia[joint], period, 2);
         const auto made = stabilizers[joint].popc.init({limit.most, 0.0});
-        const auto read = stabilizers[joint].readings.init({franka::Robot::period, 20.0});
+        const auto read = stabilizers[joint].readings.init({period, 20.0});
         for (const auto &status : {limited, made, read}) {
             if (!status) {
                 std::printf("joint %zu: %s\n", joint, status.text().data());
@@ -100,7 +101,7 @@ double late_swing(std::array<Joint, joints> stabilizers, bool stabilized)
     franka::Robot robot;
     std::array<double, joints> stiffness{};
     for (std::size_t joint = 0; joint < joints; ++joint) {
-        stiffness[joint] = 4000.0 * franka::Robot::inertia[joint]; // N.m/rad
+        stiffness[joint] = 4000.0 * inertia[joint]; // N.m/rad
         robot.state.q[joint] = 0.05;
     }
     double time = 0.0, swing = 0.0;

@@ -2865,6 +2865,400 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_missed_moving
    being read. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_restart(lyapunov_readings_of_poses_measured_f64screw *storage);
 
+/* lyapunov_readings_of_poses_low_passed_f32screw: Readings of poses at a fixed period, with twists through a
+   low pass. */
+typedef struct lyapunov_readings_of_poses_low_passed_f32screw_parameters {
+    /* The period, s. */
+    float period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    float fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    float fastest_rotation;
+    /* Cutoff of the low pass, Hz. */
+    float cutoff;
+} lyapunov_readings_of_poses_low_passed_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_low_passed_f32screw_parameters) == 16, lyapunov_readings_of_poses_low_passed_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_parameters, period) == 0, lyapunov_readings_of_poses_low_passed_f32screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_low_passed_f32screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_low_passed_f32screw_parameters_fastest_rotation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_parameters, cutoff) == 12, lyapunov_readings_of_poses_low_passed_f32screw_parameters_cutoff);
+typedef struct lyapunov_readings_of_poses_low_passed_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[65];
+} lyapunov_readings_of_poses_low_passed_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_low_passed_f32screw) == 264, lyapunov_readings_of_poses_low_passed_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw, tag) == 0, lyapunov_readings_of_poses_low_passed_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw, kept) == 4, lyapunov_readings_of_poses_low_passed_f32screw_kept);
+typedef struct lyapunov_readings_of_poses_low_passed_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[61];
+} lyapunov_readings_of_poses_low_passed_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_low_passed_f32screw_memory) == 244, lyapunov_readings_of_poses_low_passed_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_memory, word) == 0, lyapunov_readings_of_poses_low_passed_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f32screw_init_abi(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_readings_of_poses_low_passed_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_low_passed_f32screw_init(storage, parameters) lyapunov_readings_of_poses_low_passed_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f32screw_retune(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_readings_of_poses_low_passed_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f32screw_save(const lyapunov_readings_of_poses_low_passed_f32screw *storage, lyapunov_readings_of_poses_low_passed_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f32screw_restore(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_readings_of_poses_low_passed_f32screw_memory *memory);
+/* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f32screw_read(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_f32pose *pose, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f32screw_missed(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f32screw_restart(lyapunov_readings_of_poses_low_passed_f32screw *storage);
+
+/* lyapunov_readings_of_poses_low_passed_f64screw: Readings of poses at a fixed period, with twists through a
+   low pass. */
+typedef struct lyapunov_readings_of_poses_low_passed_f64screw_parameters {
+    /* The period, s. */
+    double period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    double fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    double fastest_rotation;
+    /* Cutoff of the low pass, Hz. */
+    double cutoff;
+} lyapunov_readings_of_poses_low_passed_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_low_passed_f64screw_parameters) == 32, lyapunov_readings_of_poses_low_passed_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_parameters, period) == 0, lyapunov_readings_of_poses_low_passed_f64screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_low_passed_f64screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_low_passed_f64screw_parameters_fastest_rotation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_parameters, cutoff) == 24, lyapunov_readings_of_poses_low_passed_f64screw_parameters_cutoff);
+typedef struct lyapunov_readings_of_poses_low_passed_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[65];
+} lyapunov_readings_of_poses_low_passed_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_low_passed_f64screw) == 528, lyapunov_readings_of_poses_low_passed_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw, tag) == 0, lyapunov_readings_of_poses_low_passed_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw, kept) == 8, lyapunov_readings_of_poses_low_passed_f64screw_kept);
+typedef struct lyapunov_readings_of_poses_low_passed_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[61];
+} lyapunov_readings_of_poses_low_passed_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_low_passed_f64screw_memory) == 488, lyapunov_readings_of_poses_low_passed_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_memory, word) == 0, lyapunov_readings_of_poses_low_passed_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f64screw_init_abi(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_readings_of_poses_low_passed_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_low_passed_f64screw_init(storage, parameters) lyapunov_readings_of_poses_low_passed_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f64screw_retune(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_readings_of_poses_low_passed_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f64screw_save(const lyapunov_readings_of_poses_low_passed_f64screw *storage, lyapunov_readings_of_poses_low_passed_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f64screw_restore(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_readings_of_poses_low_passed_f64screw_memory *memory);
+/* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f64screw_read(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_f64pose *pose, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f64screw_missed(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f64screw_restart(lyapunov_readings_of_poses_low_passed_f64screw *storage);
+
+/* lyapunov_readings_of_poses_windowed_f32screw: Readings of poses at a fixed period, with twists over up to 16
+   readings. */
+typedef struct lyapunov_readings_of_poses_windowed_f32screw_parameters {
+    /* The period, s. */
+    float period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    float fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    float fastest_rotation;
+    /* The number of readings, 1 to 16. */
+    uint32_t ticks;
+    /* How far they may lie from a line, m and rad. */
+    float band;
+} lyapunov_readings_of_poses_windowed_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f32screw_parameters) == 20, lyapunov_readings_of_poses_windowed_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters, period) == 0, lyapunov_readings_of_poses_windowed_f32screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_windowed_f32screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_windowed_f32screw_parameters_fastest_rotation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters, ticks) == 12, lyapunov_readings_of_poses_windowed_f32screw_parameters_ticks);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters, band) == 16, lyapunov_readings_of_poses_windowed_f32screw_parameters_band);
+typedef struct lyapunov_readings_of_poses_windowed_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[261];
+} lyapunov_readings_of_poses_windowed_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f32screw) == 1048, lyapunov_readings_of_poses_windowed_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw, tag) == 0, lyapunov_readings_of_poses_windowed_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw, kept) == 4, lyapunov_readings_of_poses_windowed_f32screw_kept);
+typedef struct lyapunov_readings_of_poses_windowed_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[256];
+} lyapunov_readings_of_poses_windowed_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f32screw_memory) == 1024, lyapunov_readings_of_poses_windowed_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_memory, word) == 0, lyapunov_readings_of_poses_windowed_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f32screw_init_abi(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_readings_of_poses_windowed_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_windowed_f32screw_init(storage, parameters) lyapunov_readings_of_poses_windowed_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f32screw_retune(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_readings_of_poses_windowed_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f32screw_save(const lyapunov_readings_of_poses_windowed_f32screw *storage, lyapunov_readings_of_poses_windowed_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f32screw_restore(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_readings_of_poses_windowed_f32screw_memory *memory);
+/* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f32screw_read(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_f32pose *pose, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f32screw_missed(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f32screw_restart(lyapunov_readings_of_poses_windowed_f32screw *storage);
+
+/* lyapunov_readings_of_poses_windowed_f64screw: Readings of poses at a fixed period, with twists over up to 16
+   readings. */
+typedef struct lyapunov_readings_of_poses_windowed_f64screw_parameters {
+    /* The period, s. */
+    double period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    double fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    double fastest_rotation;
+    /* The number of readings, 1 to 16. */
+    uint32_t ticks;
+    /* How far they may lie from a line, m and rad. */
+    double band;
+} lyapunov_readings_of_poses_windowed_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f64screw_parameters) == 40, lyapunov_readings_of_poses_windowed_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters, period) == 0, lyapunov_readings_of_poses_windowed_f64screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_windowed_f64screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_windowed_f64screw_parameters_fastest_rotation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters, ticks) == 24, lyapunov_readings_of_poses_windowed_f64screw_parameters_ticks);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters, band) == 32, lyapunov_readings_of_poses_windowed_f64screw_parameters_band);
+typedef struct lyapunov_readings_of_poses_windowed_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[261];
+} lyapunov_readings_of_poses_windowed_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f64screw) == 2096, lyapunov_readings_of_poses_windowed_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw, tag) == 0, lyapunov_readings_of_poses_windowed_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw, kept) == 8, lyapunov_readings_of_poses_windowed_f64screw_kept);
+typedef struct lyapunov_readings_of_poses_windowed_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[256];
+} lyapunov_readings_of_poses_windowed_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f64screw_memory) == 2048, lyapunov_readings_of_poses_windowed_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_memory, word) == 0, lyapunov_readings_of_poses_windowed_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f64screw_init_abi(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_readings_of_poses_windowed_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_windowed_f64screw_init(storage, parameters) lyapunov_readings_of_poses_windowed_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f64screw_retune(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_readings_of_poses_windowed_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f64screw_save(const lyapunov_readings_of_poses_windowed_f64screw *storage, lyapunov_readings_of_poses_windowed_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f64screw_restore(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_readings_of_poses_windowed_f64screw_memory *memory);
+/* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f64screw_read(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_f64pose *pose, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* The sample of a tick without a reading. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f64screw_missed(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f64screw_restart(lyapunov_readings_of_poses_windowed_f64screw *storage);
+
+/* lyapunov_readings_of_poses_clocked_f32screw: Readings of poses at the times of a clock, with twists by
+   differences. */
+typedef struct lyapunov_readings_of_poses_clocked_f32screw_parameters {
+    /* The period that is meant, s. */
+    float period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    float fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    float fastest_rotation;
+} lyapunov_readings_of_poses_clocked_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_clocked_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_parameters, period) == 0, lyapunov_readings_of_poses_clocked_f32screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_clocked_f32screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_clocked_f32screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_clocked_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[53];
+} lyapunov_readings_of_poses_clocked_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw) == 216, lyapunov_readings_of_poses_clocked_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw, tag) == 0, lyapunov_readings_of_poses_clocked_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw, kept) == 4, lyapunov_readings_of_poses_clocked_f32screw_kept);
+typedef struct lyapunov_readings_of_poses_clocked_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[50];
+} lyapunov_readings_of_poses_clocked_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw_memory) == 200, lyapunov_readings_of_poses_clocked_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_memory, word) == 0, lyapunov_readings_of_poses_clocked_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f32screw_init_abi(lyapunov_readings_of_poses_clocked_f32screw *storage, const lyapunov_readings_of_poses_clocked_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_clocked_f32screw_init(storage, parameters) lyapunov_readings_of_poses_clocked_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f32screw_retune(lyapunov_readings_of_poses_clocked_f32screw *storage, const lyapunov_readings_of_poses_clocked_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f32screw_save(const lyapunov_readings_of_poses_clocked_f32screw *storage, lyapunov_readings_of_poses_clocked_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f32screw_restore(lyapunov_readings_of_poses_clocked_f32screw *storage, const lyapunov_readings_of_poses_clocked_f32screw_memory *memory);
+/* The sample of the reading at the time `now`, s from any start. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f32screw_read_at(lyapunov_readings_of_poses_clocked_f32screw *storage, double now, const lyapunov_f32pose *pose, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* The sample of a tick without a reading at the time `now`, s. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f32screw_missed_at(lyapunov_readings_of_poses_clocked_f32screw *storage, double now, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f32screw_restart(lyapunov_readings_of_poses_clocked_f32screw *storage);
+
+/* lyapunov_readings_of_poses_clocked_f64screw: Readings of poses at the times of a clock, with twists by
+   differences. */
+typedef struct lyapunov_readings_of_poses_clocked_f64screw_parameters {
+    /* The period that is meant, s. */
+    double period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    double fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    double fastest_rotation;
+} lyapunov_readings_of_poses_clocked_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_clocked_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_parameters, period) == 0, lyapunov_readings_of_poses_clocked_f64screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_clocked_f64screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_clocked_f64screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_clocked_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[52];
+} lyapunov_readings_of_poses_clocked_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw) == 424, lyapunov_readings_of_poses_clocked_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw, tag) == 0, lyapunov_readings_of_poses_clocked_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw, kept) == 8, lyapunov_readings_of_poses_clocked_f64screw_kept);
+typedef struct lyapunov_readings_of_poses_clocked_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[49];
+} lyapunov_readings_of_poses_clocked_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw_memory) == 392, lyapunov_readings_of_poses_clocked_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_memory, word) == 0, lyapunov_readings_of_poses_clocked_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f64screw_init_abi(lyapunov_readings_of_poses_clocked_f64screw *storage, const lyapunov_readings_of_poses_clocked_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_clocked_f64screw_init(storage, parameters) lyapunov_readings_of_poses_clocked_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f64screw_retune(lyapunov_readings_of_poses_clocked_f64screw *storage, const lyapunov_readings_of_poses_clocked_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f64screw_save(const lyapunov_readings_of_poses_clocked_f64screw *storage, lyapunov_readings_of_poses_clocked_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f64screw_restore(lyapunov_readings_of_poses_clocked_f64screw *storage, const lyapunov_readings_of_poses_clocked_f64screw_memory *memory);
+/* The sample of the reading at the time `now`, s from any start. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f64screw_read_at(lyapunov_readings_of_poses_clocked_f64screw *storage, double now, const lyapunov_f64pose *pose, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* The sample of a tick without a reading at the time `now`, s. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f64screw_missed_at(lyapunov_readings_of_poses_clocked_f64screw *storage, double now, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f64screw_restart(lyapunov_readings_of_poses_clocked_f64screw *storage);
+
+/* lyapunov_readings_of_poses_measured_clocked_f32screw: Readings of poses at the times of a clock, with twists
+   that the device measures. */
+typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw_parameters {
+    /* The period that is meant, s. */
+    float period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    float fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    float fastest_rotation;
+} lyapunov_readings_of_poses_measured_clocked_f32screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters, period) == 0, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[53];
+} lyapunov_readings_of_poses_measured_clocked_f32screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw) == 216, lyapunov_readings_of_poses_measured_clocked_f32screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw, tag) == 0, lyapunov_readings_of_poses_measured_clocked_f32screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw, kept) == 4, lyapunov_readings_of_poses_measured_clocked_f32screw_kept);
+typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[50];
+} lyapunov_readings_of_poses_measured_clocked_f32screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw_memory) == 200, lyapunov_readings_of_poses_measured_clocked_f32screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_memory, word) == 0, lyapunov_readings_of_poses_measured_clocked_f32screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_measured_clocked_f32screw_init(storage, parameters) lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f32screw_retune(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f32screw_save(const lyapunov_readings_of_poses_measured_clocked_f32screw *storage, lyapunov_readings_of_poses_measured_clocked_f32screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f32screw_restore(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, const lyapunov_readings_of_poses_measured_clocked_f32screw_memory *memory);
+/* The sample of the reading at the time `now`, s from any start. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, double now, const lyapunov_f32pose *pose, const lyapunov_f32screw *velocity, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* The sample of a tick without a reading at the time `now`, s. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f32screw_missed_moving_at(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, double now, const lyapunov_f32screw *applied, lyapunov_checked_sample_f32screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f32screw_restart(lyapunov_readings_of_poses_measured_clocked_f32screw *storage);
+
+/* lyapunov_readings_of_poses_measured_clocked_f64screw: Readings of poses at the times of a clock, with twists
+   that the device measures. */
+typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw_parameters {
+    /* The period that is meant, s. */
+    double period;
+    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    double fastest_translation;
+    /* The fastest rotation, rad/s; infinity: no limit. */
+    double fastest_rotation;
+} lyapunov_readings_of_poses_measured_clocked_f64screw_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters, period) == 0, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_fastest_translation);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_fastest_rotation);
+typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[52];
+} lyapunov_readings_of_poses_measured_clocked_f64screw;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw) == 424, lyapunov_readings_of_poses_measured_clocked_f64screw_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw, tag) == 0, lyapunov_readings_of_poses_measured_clocked_f64screw_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw, kept) == 8, lyapunov_readings_of_poses_measured_clocked_f64screw_kept);
+typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[49];
+} lyapunov_readings_of_poses_measured_clocked_f64screw_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw_memory) == 392, lyapunov_readings_of_poses_measured_clocked_f64screw_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_memory, word) == 0, lyapunov_readings_of_poses_measured_clocked_f64screw_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters *parameters, uint32_t abi);
+#define lyapunov_readings_of_poses_measured_clocked_f64screw_init(storage, parameters) lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f64screw_retune(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_save(const lyapunov_readings_of_poses_measured_clocked_f64screw *storage, lyapunov_readings_of_poses_measured_clocked_f64screw_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f64screw_restore(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, const lyapunov_readings_of_poses_measured_clocked_f64screw_memory *memory);
+/* The sample of the reading at the time `now`, s from any start. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, double now, const lyapunov_f64pose *pose, const lyapunov_f64screw *velocity, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* The sample of a tick without a reading at the time `now`, s. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_missed_moving_at(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, double now, const lyapunov_f64screw *applied, lyapunov_checked_sample_f64screw *checked);
+/* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without
+   being read. */
+LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_restart(lyapunov_readings_of_poses_measured_clocked_f64screw *storage);
+
 /* lyapunov_popc_f32: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a
    debt back by a damper. */
 typedef struct lyapunov_popc_f32_parameters {
@@ -8292,6 +8686,418 @@ LYAPUNOV_API uint32_t lyapunov_along_direction_f64screw_reset(lyapunov_along_dir
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64screw_grant(lyapunov_along_direction_f64screw *storage, double energy);
 /* Adds a debt of as many joules. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64screw_owe(lyapunov_along_direction_f64screw *storage, double debt);
+
+/* lyapunov_inertia_metric_f32x3: LOLC that slows coupled axes in proportion, by their inertia matrix
+   (DirectedDamping with InertiaMetric). A posture that changes is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_metric_f32x3_parameters {
+    /* The stabilizer; its damping limit is that of the matrix's largest absolute row sum as mass. */
+    lyapunov_lolc_f32x3_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f32x3 inertia[3];
+} lyapunov_inertia_metric_f32x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x3_parameters) == 48, lyapunov_inertia_metric_f32x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3_parameters, lolc) == 0, lyapunov_inertia_metric_f32x3_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3_parameters, inertia) == 12, lyapunov_inertia_metric_f32x3_parameters_inertia);
+typedef struct lyapunov_inertia_metric_f32x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[14];
+} lyapunov_inertia_metric_f32x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x3) == 60, lyapunov_inertia_metric_f32x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3, tag) == 0, lyapunov_inertia_metric_f32x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3, kept) == 4, lyapunov_inertia_metric_f32x3_kept);
+typedef struct lyapunov_inertia_metric_f32x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_inertia_metric_f32x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x3_memory) == 4, lyapunov_inertia_metric_f32x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3_memory, word) == 0, lyapunov_inertia_metric_f32x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_init_abi(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_inertia_metric_f32x3_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_metric_f32x3_init(storage, parameters) lyapunov_inertia_metric_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_retune(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_inertia_metric_f32x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x3_save(const lyapunov_inertia_metric_f32x3 *storage, lyapunov_inertia_metric_f32x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_restore(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_inertia_metric_f32x3_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x3_step(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_sample_f32x3 *sample, const lyapunov_f32x3 *effort, lyapunov_correction_f32x3 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_inertia_metric_f32x3_observed_energy(const lyapunov_inertia_metric_f32x3 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x3_reset(lyapunov_inertia_metric_f32x3 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_grant(lyapunov_inertia_metric_f32x3 *storage, float energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_owe(lyapunov_inertia_metric_f32x3 *storage, float debt);
+
+/* lyapunov_inertia_metric_f64x3: LOLC that slows coupled axes in proportion, by their inertia matrix
+   (DirectedDamping with InertiaMetric). A posture that changes is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_metric_f64x3_parameters {
+    /* The stabilizer; its damping limit is that of the matrix's largest absolute row sum as mass. */
+    lyapunov_lolc_f64x3_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f64x3 inertia[3];
+} lyapunov_inertia_metric_f64x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x3_parameters) == 96, lyapunov_inertia_metric_f64x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3_parameters, lolc) == 0, lyapunov_inertia_metric_f64x3_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3_parameters, inertia) == 24, lyapunov_inertia_metric_f64x3_parameters_inertia);
+typedef struct lyapunov_inertia_metric_f64x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[14];
+} lyapunov_inertia_metric_f64x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x3) == 120, lyapunov_inertia_metric_f64x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3, tag) == 0, lyapunov_inertia_metric_f64x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3, kept) == 8, lyapunov_inertia_metric_f64x3_kept);
+typedef struct lyapunov_inertia_metric_f64x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_inertia_metric_f64x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x3_memory) == 8, lyapunov_inertia_metric_f64x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3_memory, word) == 0, lyapunov_inertia_metric_f64x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_init_abi(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_inertia_metric_f64x3_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_metric_f64x3_init(storage, parameters) lyapunov_inertia_metric_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_retune(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_inertia_metric_f64x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x3_save(const lyapunov_inertia_metric_f64x3 *storage, lyapunov_inertia_metric_f64x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_restore(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_inertia_metric_f64x3_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x3_step(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_sample_f64x3 *sample, const lyapunov_f64x3 *effort, lyapunov_correction_f64x3 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_inertia_metric_f64x3_observed_energy(const lyapunov_inertia_metric_f64x3 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x3_reset(lyapunov_inertia_metric_f64x3 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_grant(lyapunov_inertia_metric_f64x3 *storage, double energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_owe(lyapunov_inertia_metric_f64x3 *storage, double debt);
+
+/* lyapunov_inertia_metric_f32x6: LOLC that slows coupled axes in proportion, by their inertia matrix
+   (DirectedDamping with InertiaMetric). A posture that changes is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_metric_f32x6_parameters {
+    /* The stabilizer; its damping limit is that of the matrix's largest absolute row sum as mass. */
+    lyapunov_lolc_f32x6_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f32x6 inertia[6];
+} lyapunov_inertia_metric_f32x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x6_parameters) == 156, lyapunov_inertia_metric_f32x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6_parameters, lolc) == 0, lyapunov_inertia_metric_f32x6_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6_parameters, inertia) == 12, lyapunov_inertia_metric_f32x6_parameters_inertia);
+typedef struct lyapunov_inertia_metric_f32x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[41];
+} lyapunov_inertia_metric_f32x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x6) == 168, lyapunov_inertia_metric_f32x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6, tag) == 0, lyapunov_inertia_metric_f32x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6, kept) == 4, lyapunov_inertia_metric_f32x6_kept);
+typedef struct lyapunov_inertia_metric_f32x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_inertia_metric_f32x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x6_memory) == 4, lyapunov_inertia_metric_f32x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6_memory, word) == 0, lyapunov_inertia_metric_f32x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_init_abi(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_inertia_metric_f32x6_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_metric_f32x6_init(storage, parameters) lyapunov_inertia_metric_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_retune(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_inertia_metric_f32x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x6_save(const lyapunov_inertia_metric_f32x6 *storage, lyapunov_inertia_metric_f32x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_restore(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_inertia_metric_f32x6_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x6_step(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_sample_f32x6 *sample, const lyapunov_f32x6 *effort, lyapunov_correction_f32x6 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_inertia_metric_f32x6_observed_energy(const lyapunov_inertia_metric_f32x6 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x6_reset(lyapunov_inertia_metric_f32x6 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_grant(lyapunov_inertia_metric_f32x6 *storage, float energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_owe(lyapunov_inertia_metric_f32x6 *storage, float debt);
+
+/* lyapunov_inertia_metric_f64x6: LOLC that slows coupled axes in proportion, by their inertia matrix
+   (DirectedDamping with InertiaMetric). A posture that changes is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_metric_f64x6_parameters {
+    /* The stabilizer; its damping limit is that of the matrix's largest absolute row sum as mass. */
+    lyapunov_lolc_f64x6_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f64x6 inertia[6];
+} lyapunov_inertia_metric_f64x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x6_parameters) == 312, lyapunov_inertia_metric_f64x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6_parameters, lolc) == 0, lyapunov_inertia_metric_f64x6_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6_parameters, inertia) == 24, lyapunov_inertia_metric_f64x6_parameters_inertia);
+typedef struct lyapunov_inertia_metric_f64x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[41];
+} lyapunov_inertia_metric_f64x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x6) == 336, lyapunov_inertia_metric_f64x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6, tag) == 0, lyapunov_inertia_metric_f64x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6, kept) == 8, lyapunov_inertia_metric_f64x6_kept);
+typedef struct lyapunov_inertia_metric_f64x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_inertia_metric_f64x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x6_memory) == 8, lyapunov_inertia_metric_f64x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6_memory, word) == 0, lyapunov_inertia_metric_f64x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_init_abi(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_inertia_metric_f64x6_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_metric_f64x6_init(storage, parameters) lyapunov_inertia_metric_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_retune(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_inertia_metric_f64x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x6_save(const lyapunov_inertia_metric_f64x6 *storage, lyapunov_inertia_metric_f64x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_restore(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_inertia_metric_f64x6_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x6_step(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_sample_f64x6 *sample, const lyapunov_f64x6 *effort, lyapunov_correction_f64x6 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_inertia_metric_f64x6_observed_energy(const lyapunov_inertia_metric_f64x6 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x6_reset(lyapunov_inertia_metric_f64x6 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_grant(lyapunov_inertia_metric_f64x6 *storage, double energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_owe(lyapunov_inertia_metric_f64x6 *storage, double debt);
+
+/* lyapunov_inertia_limit_f32x3: LOLC within what the joints of a mechanism can use in its present posture
+   (InertiaLimit with JointInertia), which is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_limit_f32x3_parameters {
+    /* The stabilizer; its damping limit may be infinity. */
+    lyapunov_lolc_f32x3_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f32x3 inertia[3];
+    /* Share of the damping that removes most in one tick; 0.5 is usual. */
+    float cap;
+    /* The period, s. */
+    float period;
+    /* Ticks until an effort acts. */
+    uint32_t late;
+} lyapunov_inertia_limit_f32x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f32x3_parameters) == 60, lyapunov_inertia_limit_f32x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, lolc) == 0, lyapunov_inertia_limit_f32x3_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, inertia) == 12, lyapunov_inertia_limit_f32x3_parameters_inertia);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, cap) == 48, lyapunov_inertia_limit_f32x3_parameters_cap);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, period) == 52, lyapunov_inertia_limit_f32x3_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, late) == 56, lyapunov_inertia_limit_f32x3_parameters_late);
+typedef struct lyapunov_inertia_limit_f32x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[13];
+} lyapunov_inertia_limit_f32x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f32x3) == 56, lyapunov_inertia_limit_f32x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3, tag) == 0, lyapunov_inertia_limit_f32x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3, kept) == 4, lyapunov_inertia_limit_f32x3_kept);
+typedef struct lyapunov_inertia_limit_f32x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_inertia_limit_f32x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f32x3_memory) == 4, lyapunov_inertia_limit_f32x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_memory, word) == 0, lyapunov_inertia_limit_f32x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_init_abi(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_inertia_limit_f32x3_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_limit_f32x3_init(storage, parameters) lyapunov_inertia_limit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_retune(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_inertia_limit_f32x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x3_save(const lyapunov_inertia_limit_f32x3 *storage, lyapunov_inertia_limit_f32x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_restore(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_inertia_limit_f32x3_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x3_step(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_sample_f32x3 *sample, const lyapunov_f32x3 *effort, lyapunov_correction_f32x3 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_inertia_limit_f32x3_observed_energy(const lyapunov_inertia_limit_f32x3 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x3_reset(lyapunov_inertia_limit_f32x3 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_grant(lyapunov_inertia_limit_f32x3 *storage, float energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_owe(lyapunov_inertia_limit_f32x3 *storage, float debt);
+
+/* lyapunov_inertia_limit_f64x3: LOLC within what the joints of a mechanism can use in its present posture
+   (InertiaLimit with JointInertia), which is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_limit_f64x3_parameters {
+    /* The stabilizer; its damping limit may be infinity. */
+    lyapunov_lolc_f64x3_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f64x3 inertia[3];
+    /* Share of the damping that removes most in one tick; 0.5 is usual. */
+    double cap;
+    /* The period, s. */
+    double period;
+    /* Ticks until an effort acts. */
+    uint32_t late;
+} lyapunov_inertia_limit_f64x3_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f64x3_parameters) == 120, lyapunov_inertia_limit_f64x3_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, lolc) == 0, lyapunov_inertia_limit_f64x3_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, inertia) == 24, lyapunov_inertia_limit_f64x3_parameters_inertia);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, cap) == 96, lyapunov_inertia_limit_f64x3_parameters_cap);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, period) == 104, lyapunov_inertia_limit_f64x3_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, late) == 112, lyapunov_inertia_limit_f64x3_parameters_late);
+typedef struct lyapunov_inertia_limit_f64x3 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[13];
+} lyapunov_inertia_limit_f64x3;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f64x3) == 112, lyapunov_inertia_limit_f64x3_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3, tag) == 0, lyapunov_inertia_limit_f64x3_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3, kept) == 8, lyapunov_inertia_limit_f64x3_kept);
+typedef struct lyapunov_inertia_limit_f64x3_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_inertia_limit_f64x3_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f64x3_memory) == 8, lyapunov_inertia_limit_f64x3_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_memory, word) == 0, lyapunov_inertia_limit_f64x3_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_init_abi(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_inertia_limit_f64x3_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_limit_f64x3_init(storage, parameters) lyapunov_inertia_limit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_retune(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_inertia_limit_f64x3_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x3_save(const lyapunov_inertia_limit_f64x3 *storage, lyapunov_inertia_limit_f64x3_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_restore(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_inertia_limit_f64x3_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x3_step(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_sample_f64x3 *sample, const lyapunov_f64x3 *effort, lyapunov_correction_f64x3 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_inertia_limit_f64x3_observed_energy(const lyapunov_inertia_limit_f64x3 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x3_reset(lyapunov_inertia_limit_f64x3 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_grant(lyapunov_inertia_limit_f64x3 *storage, double energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_owe(lyapunov_inertia_limit_f64x3 *storage, double debt);
+
+/* lyapunov_inertia_limit_f32x6: LOLC within what the joints of a mechanism can use in its present posture
+   (InertiaLimit with JointInertia), which is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_limit_f32x6_parameters {
+    /* The stabilizer; its damping limit may be infinity. */
+    lyapunov_lolc_f32x6_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f32x6 inertia[6];
+    /* Share of the damping that removes most in one tick; 0.5 is usual. */
+    float cap;
+    /* The period, s. */
+    float period;
+    /* Ticks until an effort acts. */
+    uint32_t late;
+} lyapunov_inertia_limit_f32x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f32x6_parameters) == 168, lyapunov_inertia_limit_f32x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, lolc) == 0, lyapunov_inertia_limit_f32x6_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, inertia) == 12, lyapunov_inertia_limit_f32x6_parameters_inertia);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, cap) == 156, lyapunov_inertia_limit_f32x6_parameters_cap);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, period) == 160, lyapunov_inertia_limit_f32x6_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, late) == 164, lyapunov_inertia_limit_f32x6_parameters_late);
+typedef struct lyapunov_inertia_limit_f32x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint32_t tag;
+    /* The library's own. */
+    uint32_t kept[40];
+} lyapunov_inertia_limit_f32x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f32x6) == 164, lyapunov_inertia_limit_f32x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6, tag) == 0, lyapunov_inertia_limit_f32x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6, kept) == 4, lyapunov_inertia_limit_f32x6_kept);
+typedef struct lyapunov_inertia_limit_f32x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint32_t word[1];
+} lyapunov_inertia_limit_f32x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f32x6_memory) == 4, lyapunov_inertia_limit_f32x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_memory, word) == 0, lyapunov_inertia_limit_f32x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_init_abi(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_inertia_limit_f32x6_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_limit_f32x6_init(storage, parameters) lyapunov_inertia_limit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_retune(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_inertia_limit_f32x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x6_save(const lyapunov_inertia_limit_f32x6 *storage, lyapunov_inertia_limit_f32x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_restore(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_inertia_limit_f32x6_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x6_step(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_sample_f32x6 *sample, const lyapunov_f32x6 *effort, lyapunov_correction_f32x6 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API float lyapunov_inertia_limit_f32x6_observed_energy(const lyapunov_inertia_limit_f32x6 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x6_reset(lyapunov_inertia_limit_f32x6 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_grant(lyapunov_inertia_limit_f32x6 *storage, float energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_owe(lyapunov_inertia_limit_f32x6 *storage, float debt);
+
+/* lyapunov_inertia_limit_f64x6: LOLC within what the joints of a mechanism can use in its present posture
+   (InertiaLimit with JointInertia), which is told by `retune`, before each step. */
+typedef struct lyapunov_inertia_limit_f64x6_parameters {
+    /* The stabilizer; its damping limit may be infinity. */
+    lyapunov_lolc_f64x6_parameters lolc;
+    /* Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read. */
+    lyapunov_f64x6 inertia[6];
+    /* Share of the damping that removes most in one tick; 0.5 is usual. */
+    double cap;
+    /* The period, s. */
+    double period;
+    /* Ticks until an effort acts. */
+    uint32_t late;
+} lyapunov_inertia_limit_f64x6_parameters;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f64x6_parameters) == 336, lyapunov_inertia_limit_f64x6_parameters_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, lolc) == 0, lyapunov_inertia_limit_f64x6_parameters_lolc);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, inertia) == 24, lyapunov_inertia_limit_f64x6_parameters_inertia);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, cap) == 312, lyapunov_inertia_limit_f64x6_parameters_cap);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, period) == 320, lyapunov_inertia_limit_f64x6_parameters_period);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, late) == 328, lyapunov_inertia_limit_f64x6_parameters_late);
+typedef struct lyapunov_inertia_limit_f64x6 {
+    /* Set by init. Storage is copied as any struct and compared by memcmp. */
+    uint64_t tag;
+    /* The library's own. */
+    uint64_t kept[40];
+} lyapunov_inertia_limit_f64x6;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f64x6) == 328, lyapunov_inertia_limit_f64x6_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6, tag) == 0, lyapunov_inertia_limit_f64x6_tag);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6, kept) == 8, lyapunov_inertia_limit_f64x6_kept);
+typedef struct lyapunov_inertia_limit_f64x6_memory {
+    /* The memory without the parameters, to be stored. */
+    uint64_t word[1];
+} lyapunov_inertia_limit_f64x6_memory;
+LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_limit_f64x6_memory) == 8, lyapunov_inertia_limit_f64x6_memory_size);
+LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_memory, word) == 0, lyapunov_inertia_limit_f64x6_memory_word);
+/* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
+   version of the header. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_init_abi(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_inertia_limit_f64x6_parameters *parameters, uint32_t abi);
+#define lyapunov_inertia_limit_f64x6_init(storage, parameters) lyapunov_inertia_limit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
+/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_retune(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_inertia_limit_f64x6_parameters *parameters);
+/* Takes the memory out, to be stored over a restart. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x6_save(const lyapunov_inertia_limit_f64x6 *storage, lyapunov_inertia_limit_f64x6_memory *memory);
+/* Puts a stored memory in place of the own one. A refused one changes nothing. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_restore(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_inertia_limit_f64x6_memory *memory);
+/* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x6_step(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_sample_f64x6 *sample, const lyapunov_f64x6 *effort, lyapunov_correction_f64x6 *correction);
+/* The observed energy, J; NaN if the storage is not initialised. */
+LYAPUNOV_API double lyapunov_inertia_limit_f64x6_observed_energy(const lyapunov_inertia_limit_f64x6 *storage);
+/* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x6_reset(lyapunov_inertia_limit_f64x6 *storage);
+/* Adds as many joules of credit that were not absorbed. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_grant(lyapunov_inertia_limit_f64x6 *storage, double energy);
+/* Adds a debt of as many joules. */
+LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_owe(lyapunov_inertia_limit_f64x6 *storage, double debt);
 
 /* lyapunov_plausible_f32: LOLC that rejects samples and efforts which no device can have (Plausible). */
 typedef struct lyapunov_plausible_f32_parameters {

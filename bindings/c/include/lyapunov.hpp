@@ -1282,6 +1282,210 @@ public:
     lyapunov_readings_of_poses_measured_f64screw storage{};
 };
 
+/* Readings of poses at a fixed period, with twists through a low pass. */
+template <class Signal> class ReadingsOfPosesLowPassed;
+
+template <> class ReadingsOfPosesLowPassed<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_low_passed_f32screw_parameters;
+    using Memory = lyapunov_readings_of_poses_low_passed_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_low_passed_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_low_passed_f32screw_memory memory{}; lyapunov_readings_of_poses_low_passed_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_low_passed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_low_passed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_low_passed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_low_passed_f32screw storage{};
+};
+
+template <> class ReadingsOfPosesLowPassed<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_low_passed_f64screw_parameters;
+    using Memory = lyapunov_readings_of_poses_low_passed_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_low_passed_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_low_passed_f64screw_memory memory{}; lyapunov_readings_of_poses_low_passed_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_low_passed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_low_passed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_low_passed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_low_passed_f64screw storage{};
+};
+
+/* Readings of poses at a fixed period, with twists over up to 16 readings. */
+template <class Signal> class ReadingsOfPosesWindowed;
+
+template <> class ReadingsOfPosesWindowed<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_windowed_f32screw_parameters;
+    using Memory = lyapunov_readings_of_poses_windowed_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_windowed_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_windowed_f32screw_memory memory{}; lyapunov_readings_of_poses_windowed_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_windowed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_windowed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_windowed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_windowed_f32screw storage{};
+};
+
+template <> class ReadingsOfPosesWindowed<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_windowed_f64screw_parameters;
+    using Memory = lyapunov_readings_of_poses_windowed_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_windowed_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_windowed_f64screw_memory memory{}; lyapunov_readings_of_poses_windowed_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_windowed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_restore(&storage, &memory)); }
+    /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_windowed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading. */
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_windowed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_windowed_f64screw storage{};
+};
+
+/* Readings of poses at the times of a clock, with twists by differences. */
+template <class Signal> class ReadingsOfPosesClocked;
+
+template <> class ReadingsOfPosesClocked<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_clocked_f32screw_parameters;
+    using Memory = lyapunov_readings_of_poses_clocked_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_clocked_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_clocked_f32screw_memory memory{}; lyapunov_readings_of_poses_clocked_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32screw read_at(double now, const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_clocked_f32screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32screw missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_clocked_f32screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_clocked_f32screw storage{};
+};
+
+template <> class ReadingsOfPosesClocked<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_clocked_f64screw_parameters;
+    using Memory = lyapunov_readings_of_poses_clocked_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_clocked_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_clocked_f64screw_memory memory{}; lyapunov_readings_of_poses_clocked_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64screw read_at(double now, const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_clocked_f64screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64screw missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_clocked_f64screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_clocked_f64screw storage{};
+};
+
+/* Readings of poses at the times of a clock, with twists that the device measures. */
+template <class Signal> class ReadingsOfPosesMeasuredClocked;
+
+template <> class ReadingsOfPosesMeasuredClocked<Screw<float>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_measured_clocked_f32screw_parameters;
+    using Memory = lyapunov_readings_of_poses_measured_clocked_f32screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_measured_clocked_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_clocked_f32screw_memory memory{}; lyapunov_readings_of_poses_measured_clocked_f32screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_measured_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f32screw read_moving_at(double now, const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f32screw missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_clocked_f32screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f32screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_measured_clocked_f32screw storage{};
+};
+
+template <> class ReadingsOfPosesMeasuredClocked<Screw<double>> {
+public:
+    using Parameters = lyapunov_readings_of_poses_measured_clocked_f64screw_parameters;
+    using Memory = lyapunov_readings_of_poses_measured_clocked_f64screw_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_readings_of_poses_measured_clocked_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_clocked_f64screw_memory memory{}; lyapunov_readings_of_poses_measured_clocked_f64screw_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_readings_of_poses_measured_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_restore(&storage, &memory)); }
+    /* The sample of the reading at the time `now`, s from any start. */
+    lyapunov_checked_sample_f64screw read_moving_at(double now, const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    /* The sample of a tick without a reading at the time `now`, s. */
+    lyapunov_checked_sample_f64screw missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_clocked_f64screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
+    Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f64screw_restart(&storage)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return !(a == b); }
+    lyapunov_readings_of_poses_measured_clocked_f64screw storage{};
+};
+
 /* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. */
 template <class Signal> class Popc;
 
@@ -4592,6 +4796,236 @@ public:
     friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
     lyapunov_along_direction_f64screw storage{};
+};
+
+/* LOLC that slows coupled axes in proportion, by their inertia matrix (DirectedDamping with InertiaMetric). A posture that changes is told by `retune`, before each step. */
+template <class Signal> class InertiaMetric;
+
+template <> class InertiaMetric<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_inertia_metric_f32x3_parameters;
+    using Memory = lyapunov_inertia_metric_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_metric_f32x3_memory save() const noexcept { lyapunov_inertia_metric_f32x3_memory memory{}; lyapunov_inertia_metric_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_metric_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_inertia_metric_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_inertia_metric_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_inertia_metric_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
+    lyapunov_inertia_metric_f32x3 storage{};
+};
+
+template <> class InertiaMetric<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_inertia_metric_f64x3_parameters;
+    using Memory = lyapunov_inertia_metric_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_metric_f64x3_memory save() const noexcept { lyapunov_inertia_metric_f64x3_memory memory{}; lyapunov_inertia_metric_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_metric_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_inertia_metric_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_inertia_metric_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_inertia_metric_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
+    lyapunov_inertia_metric_f64x3 storage{};
+};
+
+template <> class InertiaMetric<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_inertia_metric_f32x6_parameters;
+    using Memory = lyapunov_inertia_metric_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_metric_f32x6_memory save() const noexcept { lyapunov_inertia_metric_f32x6_memory memory{}; lyapunov_inertia_metric_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_metric_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_inertia_metric_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_inertia_metric_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_inertia_metric_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
+    lyapunov_inertia_metric_f32x6 storage{};
+};
+
+template <> class InertiaMetric<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_inertia_metric_f64x6_parameters;
+    using Memory = lyapunov_inertia_metric_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_metric_f64x6_memory save() const noexcept { lyapunov_inertia_metric_f64x6_memory memory{}; lyapunov_inertia_metric_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_metric_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_inertia_metric_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_inertia_metric_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_inertia_metric_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
+    lyapunov_inertia_metric_f64x6 storage{};
+};
+
+/* LOLC within what the joints of a mechanism can use in its present posture (InertiaLimit with JointInertia), which is told by `retune`, before each step. */
+template <class Signal> class InertiaLimit;
+
+template <> class InertiaLimit<Axes<float, 3>> {
+public:
+    using Parameters = lyapunov_inertia_limit_f32x3_parameters;
+    using Memory = lyapunov_inertia_limit_f32x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_limit_f32x3_memory save() const noexcept { lyapunov_inertia_limit_f32x3_memory memory{}; lyapunov_inertia_limit_f32x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_inertia_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f32x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_inertia_limit_f32x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_inertia_limit_f32x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
+    lyapunov_inertia_limit_f32x3 storage{};
+};
+
+template <> class InertiaLimit<Axes<double, 3>> {
+public:
+    using Parameters = lyapunov_inertia_limit_f64x3_parameters;
+    using Memory = lyapunov_inertia_limit_f64x3_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_limit_f64x3_memory save() const noexcept { lyapunov_inertia_limit_f64x3_memory memory{}; lyapunov_inertia_limit_f64x3_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x3_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_inertia_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x3_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f64x3_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_inertia_limit_f64x3_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_inertia_limit_f64x3_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
+    lyapunov_inertia_limit_f64x3 storage{};
+};
+
+template <> class InertiaLimit<Axes<float, 6>> {
+public:
+    using Parameters = lyapunov_inertia_limit_f32x6_parameters;
+    using Memory = lyapunov_inertia_limit_f32x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_limit_f32x6_memory save() const noexcept { lyapunov_inertia_limit_f32x6_memory memory{}; lyapunov_inertia_limit_f32x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_inertia_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f32x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(float energy) noexcept { return Status(lyapunov_inertia_limit_f32x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(float debt) noexcept { return Status(lyapunov_inertia_limit_f32x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
+    lyapunov_inertia_limit_f32x6 storage{};
+};
+
+template <> class InertiaLimit<Axes<double, 6>> {
+public:
+    using Parameters = lyapunov_inertia_limit_f64x6_parameters;
+    using Memory = lyapunov_inertia_limit_f64x6_memory;
+    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
+    Status init(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
+    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    Status retune(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    lyapunov_inertia_limit_f64x6_memory save() const noexcept { lyapunov_inertia_limit_f64x6_memory memory{}; lyapunov_inertia_limit_f64x6_save(&storage, &memory); return memory; }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const lyapunov_inertia_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x6_restore(&storage, &memory)); }
+    /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_inertia_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x6_observed_energy(&storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f64x6_reset(&storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(double energy) noexcept { return Status(lyapunov_inertia_limit_f64x6_grant(&storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(double debt) noexcept { return Status(lyapunov_inertia_limit_f64x6_owe(&storage, debt)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
+    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
+    lyapunov_inertia_limit_f64x6 storage{};
 };
 
 /* LOLC that rejects samples and efforts which no device can have (Plausible). */

@@ -54,7 +54,7 @@ impl<B> Snapshot for Fixed<B> {
     }
 }
 
-/// What `answer` gives for signals; each of `given` is read first. A call that does nothing gives zeros.
+/// The answer of a block to signals; each of `given` is read first. A call that does nothing gives zeros.
 ///
 /// # Safety
 /// As [`init`](crate::verbs::init).

@@ -94,7 +94,7 @@ stabilizer!(tank, tank, |_| P {
 });
 stabilizer!(side, two_port_side, |_| P { damping_limit: 80.0 });
 
-/// What valgrind.supp leaves out: no byte of the restored value decides anything before it is written.
+/// No byte of the restored value decides anything before it is written.
 #[test]
 fn a_restored_screw() {
     use blocks::lolc::of_f32screw::Parameters as L;
@@ -115,6 +115,35 @@ fn a_restored_screw() {
     // SAFETY: as above.
     let code = unsafe { life::save(&one, &mut saved) };
     assert_eq!((restored.code, code, saved.word), (0, 0, memory.word));
+}
+
+#[test]
+fn inertias() {
+    use blocks::inertia_limit::of_f64x3::{Block, Parameters, life, stabilizer};
+    use blocks::lolc::of_f64x3::Parameters as L;
+    use lyapunov_c::port::AxesForm;
+    use nalgebra::Vector3;
+    let lolc = L { damping_limit: f64::INFINITY, device_damping: 0.0, budget: 0.0 };
+    let inertia = [[0.5, 9.0, 9.0], [0.1, 0.1, 9.0], [0.0, 0.0, 0.2]].map(|axis| AxesForm { axis });
+    let given = Parameters { lolc, inertia, cap: 0.5, period: 1e-3, late: 0 };
+    // SAFETY: here and below all pointers lead to variables of this function.
+    let mut it = fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
+    let along = Vector3::x();
+    let sample = SampleForm::of(&PortSample {
+        period: 1e-3,
+        position: along,
+        velocity: along,
+        displacement: along * 1e-3,
+        applied: along * -900.0,
+        work: along * -0.9,
+    });
+    let none = AxesForm { axis: [0.0; 3] };
+    let mut out = CorrectionForm::of(&Correction::none(Vector3::zeros()));
+    // SAFETY: as above.
+    let code = unsafe { stabilizer::step(&mut it, &sample, &none, &mut out) };
+    // The first joint alone would be 0.5 kg.m^2; the second one may yield: 0.5 - 0.1^2 / 0.1.
+    assert!(code == Code::Ok as u32 && (out.alpha - 0.5 * 0.4 / 1e-3).abs() < 1e-9);
+    assert_eq!(bytes(&it).len(), size_of_val(&it));
 }
 
 #[test]
@@ -184,6 +213,32 @@ fn poses() {
     // SAFETY: as above.
     let restored = unsafe { life::restore(&mut again, &memory) };
     assert_eq!((saved, restored.code, bytes(&it)), (0, 0, bytes(&again)));
+}
+
+#[test]
+fn poses_in_a_window() {
+    use blocks::readings_of_poses_windowed::of_f64screw::{Block, Parameters, life, pose_reading};
+    use lyapunov_c::port::ScrewForm;
+    use lyapunov_c::poses::PoseForm;
+    let (fastest_translation, fastest_rotation) = (2.0, f64::INFINITY);
+    let given =
+        Parameters { period: 1e-3, fastest_translation, fastest_rotation, ticks: 4, band: 1e-9 };
+    // SAFETY: here and below all pointers lead to variables of this function.
+    let mut it = fresh::<Block>(|it| unsafe { life::init_abi(it, &given, ABI) }.code);
+    let applied = ScrewForm::default();
+    for tick in 0..3 {
+        let position = [0.3 + 1e-4 * f64::from(tick), 0.0, 0.0];
+        let pose = PoseForm { position, quaternion: [0.0, 0.0, 0.0, 1.0] };
+        let mut out = MaybeUninit::uninit();
+        // SAFETY: as above; the call writes `out`.
+        let (code, read) = unsafe {
+            (pose_reading::read(&mut it, &pose, &applied, out.as_mut_ptr()), out.assume_init())
+        };
+        let speed = if tick == 0 { 0.0 } else { 0.1 };
+        assert_eq!((code, read.accepted), (0, 1));
+        assert!((read.sample.velocity.translation[0] - speed).abs() < 1e-9);
+        assert!(bytes(&it).len() == size_of_val(&it));
+    }
 }
 
 /// What stands behind a tag may be anything.

@@ -130,6 +130,8 @@ fn requirements_hold_for_what_they_say() {
         assert_eq!(numbers.map(|it| requirement.check("it", it).is_ok()), fine, "{requirement:?}");
         assert_eq!(requirement.check("it", 2.0), Ok(2.0));
     }
+    assert!(Positive.check("it", f64::from_bits(1)).is_ok(), "the smallest number is above 0");
+    assert!(NonNegative.check("it", -0.0).is_ok() && AtLeast(-inf).check("it", -inf).is_err());
     let refused = Positive.check_axes("axes", Vector3::new(1.0, -2.0, -3.0));
     assert_eq!(
         refused,

@@ -39,8 +39,12 @@ impl Run {
         if self.bits() >> 56 == 0 { self.number(1e-3) } else { 1e-3 * (1.0 + 0.25 * self.unit()) }
     }
 
+    /// A signal that is 0 on all axes at times, as at rest and in free motion.
     pub(crate) fn signal<V: Signal>(&mut self, most: f64) -> V {
         let zero = V::splat(V::Scalar::of(0.0));
+        if self.bits() >> 61 == 0 {
+            return zero;
+        }
         zero.map(|_| V::Scalar::of(self.number(most)))
     }
 

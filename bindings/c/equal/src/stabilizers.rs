@@ -5,15 +5,15 @@ use lyapunov::candidates::InContact;
 use lyapunov::poses::Screw;
 use lyapunov::stabilizers::{
     AlongDirection, AxisWeights, DirectedDamping, DriftCompensated, EnergyBounding, ForceBound,
-    ForceBounding, LeastNorm, MemoryBased, PartLimits, PathMemory, PerAxis, PerPart, Plausibility,
-    Sharing, SlopeBound, StabilizerExt, Tank, TankLimits, TwoLayer, TwoPortSide, WatchdogTimes,
-    WindowedCredit,
+    ForceBounding, InertiaLimit, InertiaMetric, JointInertia, LeastNorm, MemoryBased, PartLimits,
+    PathMemory, PerAxis, PerPart, Plausibility, Sharing, SlopeBound, StabilizerExt, Tank,
+    TankLimits, TwoLayer, TwoPortSide, WatchdogTimes, WindowedCredit,
 };
 use lyapunov::{
     DampingLimit, Dissipation, Lolc, LyapunovCandidate, ParameterError, Popc, PortEnergy,
     PortSample, Scalar, Signal, Stabilizer, StorageFunction,
 };
-use nalgebra::{SVector, Vector3, Vector6};
+use nalgebra::{SMatrix, SVector, Vector3, Vector6};
 
 use crate::run::{MOST, Run};
 use crate::signals::{Done, Named, Of, axes, bodies, each, every, line, n};
@@ -122,6 +122,7 @@ pub(crate) fn refined(ticks: u64) -> Done {
         run::<V>(ticks, "safeguarded", bounded.plausible(plausibility())?.watched::<V>(times())?)
     });
     directed(ticks)?;
+    heavy(ticks)?;
     each!(T in [f32, f64] { run::<Vector3<T>>(ticks, "per_axis", PerAxis::of([inner::<T>()?; 3])) });
     each!(T in [f32, f64] { run::<Vector6<T>>(ticks, "per_axis", PerAxis::of([inner::<T>()?; 6])) });
     bodies!(V {
@@ -175,6 +176,44 @@ pub(crate) fn directed(ticks: u64) -> Done {
     each!(T in [f32, f64] { along::<Vector3<T>>(ticks, of(three))? });
     each!(T in [f32, f64] { along::<Vector6<T>>(ticks, of(six))? });
     each!(T in [f32, f64] { along::<Screw<T>>(ticks, screw(six))? });
+    Ok(())
+}
+
+/// Axes that an inertia couples, of which the lower triangle is given.
+pub(crate) fn heavy(ticks: u64) -> Done {
+    let three = [vec![0.5], vec![0.125, 0.25], vec![-0.0625, 0.03125, 0.125]];
+    let six = [
+        vec![2.0],
+        vec![0.5, 1.5],
+        vec![0.25, -0.125, 1.0],
+        vec![0.0, 0.125, 0.25, 0.5],
+        vec![0.0625, 0.0, 0.0, -0.0625, 0.25],
+        vec![0.0, 0.03125, 0.0, 0.0, 0.015625, 0.125],
+    ];
+    fn of<T: Scalar, const N: usize>(rows: &[Vec<f32>; N]) -> SMatrix<T, N, N> {
+        SMatrix::from_fn(|row, column| n(rows[row.max(column)][row.min(column)]))
+    }
+    fn metric<T: Scalar, const N: usize>(ticks: u64, inertia: SMatrix<T, N, N>) -> Done
+    where
+        SVector<T, N>: Named<Scalar = T>,
+    {
+        let damping = DirectedDamping::new(inner()?, InertiaMetric::new(inertia)?, limit()?);
+        run::<SVector<T, N>>(ticks, "inertia_metric", damping);
+        Ok(())
+    }
+    fn within<T: Scalar, const N: usize>(ticks: u64, inertia: SMatrix<T, N, N>) -> Done
+    where
+        SVector<T, N>: Named<Scalar = T>,
+    {
+        let inertia = JointInertia::new(inertia)?;
+        let limited = InertiaLimit::new(inner()?, inertia, n(0.5), n(0.001))?.delayed(1);
+        run::<SVector<T, N>>(ticks, "inertia_limit", limited);
+        Ok(())
+    }
+    each!(T in [f32, f64] { metric::<T, 3>(ticks, of(&three))? });
+    each!(T in [f32, f64] { metric::<T, 6>(ticks, of(&six))? });
+    each!(T in [f32, f64] { within::<T, 3>(ticks, of(&three))? });
+    each!(T in [f32, f64] { within::<T, 6>(ticks, of(&six))? });
     Ok(())
 }
 

@@ -39,23 +39,25 @@ fn tell<V: Signal<Scalar: Scalar<Mask = bool>>>(run: &mut Run, told: &CheckedSam
     run.hash(flags.iter().rev().fold(0, |sum, &flag| 2 * sum + u64::from(flag)));
 }
 
-/// Every tick of readings of poses: `read` is told the pose, the twist and the applied wrench.
+/// Every tick of readings of poses: `read` is told the time, the pose, the twist and the applied wrench.
 fn read_poses<T: Scalar>(
     ticks: u64,
     (name, signal): (&str, &str),
-    mut read: impl FnMut(Pose<T>, WithPose<T>, WithPose<T>) -> CheckedSample<WithPose<T>>,
+    mut read: impl FnMut(f64, Pose<T>, WithPose<T>, WithPose<T>) -> CheckedSample<WithPose<T>>,
 ) where
     Screw<T>: Signal<Scalar = T>,
     T: Scalar<Mask = bool>,
 {
     let mut run = Run::begin(ticks);
+    let mut now = 0.0;
     for _ in 0..run.ticks {
         let position: Vector3<T> = run.signal(MOST[0]);
         let quaternion: Vector4<T> = run.signal(1.0);
         let turned = UnitQuaternion::new_unchecked(Quaternion::from(quaternion));
         let velocity: Screw<T> = run.signal(MOST[1]);
         let applied: Screw<T> = run.signal(MOST[3]);
-        let told = read(Pose::new(position, turned), velocity.into(), applied.into());
+        now += run.period();
+        let told = read(now, Pose::new(position, turned), velocity.into(), applied.into());
         let CheckedSample { sample, accepted, jumped, late, timed } = told;
         let sample = PortSample {
             period: sample.period,
@@ -94,10 +96,6 @@ pub(crate) fn watching(ticks: u64) -> Done {
             it.read_moving(MovingReading { position, velocity, applied })
         })
     });
-    fn fresh_poses<T: Angle>() -> Result<OfPoses<T>, ParameterError> {
-        let fastest = PartSpeeds { translation: n(16.0), rotation: n(2000.0) };
-        Readings::every(n(0.001))?.of_poses().no_faster_than(fastest)
-    }
     axes!(V {
         let mut it = fresh::<V>()?.low_passed(n(30.0))?;
         read::<V>(ticks, "readings_low_passed", |_, position, _, applied| it.read(Reading { position, applied }))
@@ -116,16 +114,47 @@ pub(crate) fn watching(ticks: u64) -> Done {
             it.read_moving_at(now, MovingReading { position, velocity, applied })
         })
     });
+    turned(ticks)
+}
+
+/// Readings of poses.
+fn turned(ticks: u64) -> Done {
+    fn fresh<T: Angle>() -> Result<OfPoses<T>, ParameterError> {
+        let fastest = PartSpeeds { translation: n(16.0), rotation: n(2000.0) };
+        Readings::every(n(0.001))?.of_poses().no_faster_than(fastest)
+    }
     each!(T in [f32, f64] {
-        let mut it = fresh_poses::<T>()?;
+        let mut it = fresh::<T>()?;
         let name = ("readings_of_poses", <Screw<T> as Named>::NAME);
-        read_poses::<T>(ticks, name, |position, _, applied| it.read(Reading { position, applied }))
+        read_poses::<T>(ticks, name, |_, position, _, applied| it.read(Reading { position, applied }))
     });
     each!(T in [f32, f64] {
-        let mut it = fresh_poses::<T>()?.measured();
+        let mut it = fresh::<T>()?.measured();
         let name = ("readings_of_poses_measured", <Screw<T> as Named>::NAME);
-        read_poses::<T>(ticks, name, |position, velocity, applied| {
+        read_poses::<T>(ticks, name, |_, position, velocity, applied| {
             it.read_moving(MovingReading { position, velocity, applied })
+        })
+    });
+    each!(T in [f32, f64] {
+        let mut it = fresh::<T>()?.low_passed(n(30.0))?;
+        let name = ("readings_of_poses_low_passed", <Screw<T> as Named>::NAME);
+        read_poses::<T>(ticks, name, |_, position, _, applied| it.read(Reading { position, applied }))
+    });
+    each!(T in [f32, f64] {
+        let mut it = fresh::<T>()?.windowed::<16>(8, n(0.001))?;
+        let name = ("readings_of_poses_windowed", <Screw<T> as Named>::NAME);
+        read_poses::<T>(ticks, name, |_, position, _, applied| it.read(Reading { position, applied }))
+    });
+    each!(T in [f32, f64] {
+        let mut it = fresh::<T>()?.clocked();
+        let name = ("readings_of_poses_clocked", <Screw<T> as Named>::NAME);
+        read_poses::<T>(ticks, name, |now, position, _, applied| it.read_at(now, Reading { position, applied }))
+    });
+    each!(T in [f32, f64] {
+        let mut it = fresh::<T>()?.measured().clocked();
+        let name = ("readings_of_poses_measured_clocked", <Screw<T> as Named>::NAME);
+        read_poses::<T>(ticks, name, |now, position, velocity, applied| {
+            it.read_moving_at(now, MovingReading { position, velocity, applied })
         })
     });
     Ok(())

@@ -146,4 +146,82 @@ blocks! {
         };
         [life moving_pose_reading place]
     }
+    /// Readings of poses at a fixed period, with twists through a low pass.
+    readings_of_poses_low_passed on bodies = {
+        "readings_of_poses_low_passed";
+        Readings<WithPose<T>, LowPassed<WithPose<T>>, Steady, Poses<T>>, words;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            fastest_translation: T,
+            /// The fastest rotation, rad/s; infinity: no limit.
+            fastest_rotation: T,
+            /// Cutoff of the low pass, Hz.
+            cutoff: T,
+        };
+        |given| {
+            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
+            poses(given.period, translation, rotation)?.low_passed(given.cutoff)
+        };
+        [life pose_reading place]
+    }
+    /// Readings of poses at a fixed period, with twists over up to 16 readings.
+    readings_of_poses_windowed on bodies = {
+        "readings_of_poses_windowed";
+        Readings<WithPose<T>, Windowed<WithPose<T>, WINDOW>, Steady, Poses<T>>, words;
+        {
+            /// The period, s.
+            period: T,
+            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            fastest_translation: T,
+            /// The fastest rotation, rad/s; infinity: no limit.
+            fastest_rotation: T,
+            /// The number of readings, 1 to 16.
+            ticks: u32,
+            /// How far they may lie from a line, m and rad.
+            band: T,
+        };
+        |given| {
+            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
+            poses(given.period, translation, rotation)?.windowed(given.ticks as usize, given.band)
+        };
+        [life pose_reading place]
+    }
+    /// Readings of poses at the times of a clock, with twists by differences.
+    readings_of_poses_clocked on bodies = {
+        "readings_of_poses_clocked";
+        Readings<WithPose<T>, Differenced, Clocked, Poses<T>>, words;
+        {
+            /// The period that is meant, s.
+            period: T,
+            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            fastest_translation: T,
+            /// The fastest rotation, rad/s; infinity: no limit.
+            fastest_rotation: T,
+        };
+        |given| {
+            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
+            Ok(poses(given.period, translation, rotation)?.clocked())
+        };
+        [life pose_reading_at place]
+    }
+    /// Readings of poses at the times of a clock, with twists that the device measures.
+    readings_of_poses_measured_clocked on bodies = {
+        "readings_of_poses_measured_clocked";
+        Readings<WithPose<T>, Measured, Clocked, Poses<T>>, words;
+        {
+            /// The period that is meant, s.
+            period: T,
+            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            fastest_translation: T,
+            /// The fastest rotation, rad/s; infinity: no limit.
+            fastest_rotation: T,
+        };
+        |given| {
+            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
+            Ok(poses(given.period, translation, rotation)?.measured().clocked())
+        };
+        [life moving_pose_reading_at place]
+    }
 }

@@ -5,20 +5,28 @@
 use lyapunov::accumulators::{Compensated, Plain};
 use lyapunov::candidates::InContact;
 use lyapunov::stabilizers::{
-    AlongDirection, AxisWeights, BoundedCredit, ContactReset, DirectedDamping, PartLimits, PerAxis,
-    PerPart, Plausibility, Plausible, RateLimit, SoftStart, Spread, StabilizerExt,
-    VelocityThreshold, Watchdog, WatchdogTimes, WindowedCredit,
+    AlongDirection, AxisWeights, BoundedCredit, ContactReset, DirectedDamping, InertiaLimit,
+    InertiaMetric, JointInertia, PartLimits, PerAxis, PerPart, Plausibility, Plausible, RateLimit,
+    SoftStart, Spread, StabilizerExt, VelocityThreshold, Watchdog, WatchdogTimes, WindowedCredit,
 };
 use lyapunov::{DampingLimit, Dissipation, Held, Lolc, PortEnergy, Sampled};
+use nalgebra::SMatrix;
 
 use crate::export::blocks;
 use crate::limits::limit;
+use crate::number::Number;
+use crate::port::AxesForm;
 
 /// LOLC with the credit of the device's damper.
 type Inner<T> = Lolc<T, (PortEnergy, Dissipation<T>)>;
 
 /// Credit of a rigid body's two dampings.
 type BodyCredit<T> = PerPart<Dissipation<T>, Dissipation<T>>;
+
+/// The matrix of these rows.
+fn matrix<T: Number, const N: usize>(rows: &[AxesForm<T, N>; N]) -> SMatrix<T, N, N> {
+    SMatrix::from_fn(|row, column| rows[row].axis[column])
+}
 
 blocks! {
     /// LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between samples.
@@ -172,6 +180,48 @@ blocks! {
             let along = AlongDirection::new(V::of(given.direction))?;
             let inner = lolc::Block::build(&given.lolc)?;
             Ok(DirectedDamping::new(inner, along, limit(given.lolc.damping_limit)?))
+        };
+        [life stabilizer account]
+    }
+    /// LOLC that slows coupled axes in proportion, by their inertia matrix (DirectedDamping with InertiaMetric). A posture that
+    /// changes is told by `retune`, before each step.
+    inertia_metric on spaces = {
+        "inertia_metric";
+        DirectedDamping<Inner<T>, InertiaMetric<T, AXES>, T>, whole 5 + AXES;
+        {
+            /// The stabilizer; its damping limit is that of the matrix's largest absolute row sum as mass.
+            lolc: lolc::Parameters,
+            /// Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read.
+            inertia: [Form; AXES],
+        };
+        |given| {
+            let metric = InertiaMetric::new(super::matrix(&given.inertia))?;
+            let inner = lolc::Block::build(&given.lolc)?;
+            Ok(DirectedDamping::new(inner, metric, limit(given.lolc.damping_limit)?))
+        };
+        [life stabilizer account]
+    }
+    /// LOLC within what the joints of a mechanism can use in its present posture (InertiaLimit with JointInertia), which is
+    /// told by `retune`, before each step.
+    inertia_limit on spaces = {
+        "inertia_limit";
+        InertiaLimit<Inner<T>, JointInertia<T, AXES>, T>, whole 4 + AXES;
+        {
+            /// The stabilizer; its damping limit may be infinity.
+            lolc: lolc::Parameters,
+            /// Rows of the inertia matrix, kg or kg.m^2; only the lower triangle is read.
+            inertia: [Form; AXES],
+            /// Share of the damping that removes most in one tick; 0.5 is usual.
+            cap: T,
+            /// The period, s.
+            period: T,
+            /// Ticks until an effort acts.
+            late: u32,
+        };
+        |given| {
+            let inertia = JointInertia::new(super::matrix(&given.inertia))?;
+            let inner = lolc::Block::build(&given.lolc)?;
+            Ok(InertiaLimit::new(inner, inertia, given.cap, given.period)?.delayed(given.late))
         };
         [life stabilizer account]
     }

@@ -43,7 +43,7 @@ macro_rules! block_on {
         $module:ident, $signal:literal, [$port:ty], [$number:ty];
         $(#[doc = $doc:literal])+
         $name:literal;
-        $value:ty, $keep:ident $($numbers:literal + $per_axis:literal)?;
+        $value:ty, $keep:ident $($numbers:literal + $per_axis:tt)?;
         { $($(#[doc = $told:literal])+ $field:ident: $type:ty,)* };
         |$given:ident| $build:expr;
         [$($verbs:ident)*]
@@ -66,7 +66,7 @@ macro_rules! block_on {
             /// The signal as C has it.
             pub type Form = <V as Port>::Form;
             type Word = <T as $crate::number::Number>::Word;
-            /// How many axes it has.
+            /// Its number of axes.
             pub const AXES: usize = size_of::<Form>() / size_of::<T>();
 
             /// Parameters.
@@ -193,7 +193,7 @@ macro_rules! block_on {
     };
 }
 
-/// How storage keeps a value.
+/// The type that keeps a value in storage.
 macro_rules! kept {
     (whole) => { Whole<Value> };
     (words) => { Words<Block, { <Parameters as Flat<Word>>::WORDS + MEMORY }> };

@@ -162,6 +162,34 @@ macro_rules! verbs {
             }
         }
     };
+    (pose_reading_at, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of the reading at the time `now`, s from any start.
+            fn read_at(storage: *mut Storage<Block>, now: f64, pose: *const PoseForm<T>, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::poses::read(storage, pose, [applied], checked, |body, position, [applied]| body.read_at(now, Reading { position, applied })) }
+            }
+            /// The sample of a tick without a reading at the time `now`, s.
+            fn missed_at(storage: *mut Storage<Block>, now: f64, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| $crate::poses::seen(body.missed_at(now, applied.into()))) }
+            }
+        }
+    };
+    (moving_pose_reading_at, $name:literal, $signal:literal) => {
+        $crate::export::exported! { $name, $signal, describe;
+            /// The sample of the reading at the time `now`, s from any start.
+            fn read_moving_at(storage: *mut Storage<Block>, now: f64, pose: *const PoseForm<T>, velocity: <V as Port>::Given, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::poses::read(storage, pose, [velocity, applied], checked, |body, position, [velocity, applied]| body.read_moving_at(now, MovingReading { position, velocity, applied })) }
+            }
+            /// The sample of a tick without a reading at the time `now`, s.
+            fn missed_moving_at(storage: *mut Storage<Block>, now: f64, applied: <V as Port>::Given, checked: *mut CheckedForm<V>) -> u32 {
+                // SAFETY: as the caller says.
+                unsafe { $crate::readings::read(storage, [applied], checked, |body, [applied]| $crate::poses::seen(body.missed_moving_at(now, applied.into()))) }
+            }
+        }
+    };
     (place, $name:literal, $signal:literal) => {
         $crate::export::exported! { $name, $signal, describe;
             /// Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read.

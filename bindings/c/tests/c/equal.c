@@ -62,6 +62,11 @@ CANDIDATE(f64screw)
         on(block, f32x6, call, __VA_ARGS__);    \
         on(block, f64x6, call, __VA_ARGS__);    \
     } while (0)
+#define TURNED(block, call, ...)                                        \
+    do {                                                                \
+        POSES(block, f32screw, lyapunov_f32pose, call, __VA_ARGS__);    \
+        POSES(block, f64screw, lyapunov_f64pose, call, __VA_ARGS__);    \
+    } while (0)
 #define CALLED_BY(block, function)                                  \
     do {                                                            \
         CALLED(block, f32, function##_f32, { 80, 0.001f });          \
@@ -76,6 +81,13 @@ CANDIDATE(f64screw)
 
 /* Limit, damping of the device, budget; exact in both numbers. */
 #define LOLC { 80, 0.5f, 0.001f }
+
+/* Inertias: of their upper triangles nothing is read. */
+#define THREE { { { 0.5f, 9, 9 } }, { { 0.125f, 0.25f, 9 } }, { { -0.0625f, 0.03125f, 0.125f } } }
+#define SIX                                                                                            \
+    { { { 2, 9, 9, 9, 9, 9 } }, { { 0.5f, 1.5f, 9, 9, 9, 9 } }, { { 0.25f, -0.125f, 1, 9, 9, 9 } },     \
+      { { 0, 0.125f, 0.25f, 0.5f, 9, 9 } }, { { 0.0625f, 0, 0, -0.0625f, 0.25f, 9 } },                  \
+      { { 0, 0.03125f, 0, 0, 0.015625f, 0.125f } } }
 
 static void controllers(void)
 {
@@ -114,6 +126,14 @@ static void refined(void)
     STABILIZER(along_direction, f64x6, ALONE, { LOLC, { { 1, 2, -1, 1, 0, 4 } } });
     STABILIZER(along_direction, f32screw, ALONE, { LOLC, { { 1, 2, -1 }, { 1, 0, 4 } } });
     STABILIZER(along_direction, f64screw, ALONE, { LOLC, { { 1, 2, -1 }, { 1, 0, 4 } } });
+    STABILIZER(inertia_metric, f32x3, ALONE, { LOLC, THREE });
+    STABILIZER(inertia_metric, f64x3, ALONE, { LOLC, THREE });
+    STABILIZER(inertia_metric, f32x6, ALONE, { LOLC, SIX });
+    STABILIZER(inertia_metric, f64x6, ALONE, { LOLC, SIX });
+    STABILIZER(inertia_limit, f32x3, ALONE, { LOLC, THREE, 0.5f, 0.001f, 1 });
+    STABILIZER(inertia_limit, f64x3, ALONE, { LOLC, THREE, 0.5f, 0.001f, 1 });
+    STABILIZER(inertia_limit, f32x6, ALONE, { LOLC, SIX, 0.5f, 0.001f, 1 });
+    STABILIZER(inertia_limit, f64x6, ALONE, { LOLC, SIX, 0.5f, 0.001f, 1 });
     STABILIZER(per_axis, f32x3, ALONE, { { LOLC, LOLC, LOLC } });
     STABILIZER(per_axis, f64x3, ALONE, { { LOLC, LOLC, LOLC } });
     STABILIZER(per_axis, f32x6, ALONE, { { LOLC, LOLC, LOLC, LOLC, LOLC, LOLC } });
@@ -150,10 +170,12 @@ static void watching(void)
     EACH(readings_windowed, READINGS, READ, { 0.001f, 16, 8, 0.001f });
     EACH(readings_clocked, READINGS, READ_AT, { 0.001f, 16 });
     EACH(readings_measured_clocked, READINGS, READ_MOVING_AT, { 0.001f, 16 });
-    POSES(readings_of_poses, f32screw, lyapunov_f32pose, READ_POSE, { 0.001f, 16, 2000 });
-    POSES(readings_of_poses, f64screw, lyapunov_f64pose, READ_POSE, { 0.001f, 16, 2000 });
-    POSES(readings_of_poses_measured, f32screw, lyapunov_f32pose, READ_MOVING_POSE, { 0.001f, 16, 2000 });
-    POSES(readings_of_poses_measured, f64screw, lyapunov_f64pose, READ_MOVING_POSE, { 0.001f, 16, 2000 });
+    TURNED(readings_of_poses, READ_POSE, { 0.001f, 16, 2000 });
+    TURNED(readings_of_poses_measured, READ_MOVING_POSE, { 0.001f, 16, 2000 });
+    TURNED(readings_of_poses_low_passed, READ_POSE, { 0.001f, 16, 2000, 30 });
+    TURNED(readings_of_poses_windowed, READ_POSE, { 0.001f, 16, 2000, 8, 0.001f });
+    TURNED(readings_of_poses_clocked, READ_POSE_AT, { 0.001f, 16, 2000 });
+    TURNED(readings_of_poses_measured_clocked, READ_MOVING_POSE_AT, { 0.001f, 16, 2000 });
 }
 
 static void asked(void)

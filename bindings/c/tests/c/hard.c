@@ -104,6 +104,34 @@ static void null_poses_and_waves(void)
     EXPECT(lyapunov_wave_filter_f64_pass(&filter, NAN, &sent) == LYAPUNOV_OK && !(sent > 0.0) && !isnan(sent));
 }
 
+static void matrices_that_are_no_inertia(void)
+{
+    static const double bad[3] = { 2.0, NAN, INFINITY };
+    const lyapunov_inertia_limit_f64x3_parameters sound = {
+        { 80.0, 0.0, 0.0 }, { { { 1, 0, 0 } }, { { 0.5, 1, 0 } }, { { 0, 0, 1 } } }, 0.5, 1e-3, 0
+    };
+    lyapunov_inertia_limit_f64x3 limit, before;
+    lyapunov_inertia_metric_f64x3 metric;
+    char text[200];
+    size_t at;
+
+    EXPECT(lyapunov_inertia_limit_f64x3_init(&limit, &sound).code == LYAPUNOV_OK);
+    for (at = 0; at < 3; ++at) {
+        lyapunov_inertia_limit_f64x3_parameters told = sound;
+        lyapunov_inertia_metric_f64x3_parameters of_metric = { { 80.0, 0.0, 0.0 }, { { { 0 } }, { { 0 } }, { { 0 } } } };
+        lyapunov_status status;
+
+        told.inertia[1].axis[0] = bad[at];
+        memcpy(of_metric.inertia, told.inertia, sizeof told.inertia);
+        before = limit;
+        status = lyapunov_inertia_limit_f64x3_retune(&limit, &told);
+        EXPECT(status.code == LYAPUNOV_PARAMETER && memcmp(&limit, &before, sizeof limit) == 0);
+        (void)lyapunov_status_text(&status, text, sizeof text);
+        EXPECT(strncmp(text, "inertia's pivot is ", 19) == 0 && (at > 0 || strncmp(text + 19, "-3;", 3) == 0));
+        EXPECT(lyapunov_inertia_metric_f64x3_init(&metric, &of_metric).code == LYAPUNOV_PARAMETER);
+    }
+}
+
 static void never_initialised(void)
 {
     static const unsigned char fills[4] = { 0x00, 0xff, 0xa5, 0x01 };
@@ -319,6 +347,7 @@ int main(void)
     null_pointers();
     null_signals_and_functions();
     null_poses_and_waves();
+    matrices_that_are_no_inertia();
     never_initialised();
     bytes_gone_bad();
     misaligned();

@@ -44,6 +44,12 @@ static double random_period(void)
     return random_bits() >> 56 == 0 ? random_number(1e-3) : 1e-3 * (1.0 + 0.25 * random_unit());
 }
 
+/* Whether a signal is 0 on all axes, as at rest and in free motion. */
+static int random_rest(void)
+{
+    return random_bits() >> 61 == 0;
+}
+
 static void hash_bits(uint64_t bits)
 {
     int at;

@@ -29,8 +29,9 @@ typedef double lyapunov_f64;
     do {                                                             \
         number_##signal numbers[sizeof(form) / sizeof(number_##signal)]; \
         size_t at_;                                                  \
+        int rest_ = random_rest();                                   \
         for (at_ = 0; at_ < sizeof numbers / sizeof numbers[0]; ++at_) { \
-            numbers[at_] = (number_##signal)random_number(most);     \
+            numbers[at_] = rest_ ? 0 : (number_##signal)random_number(most); \
         }                                                            \
         memcpy(&(form), numbers, sizeof numbers);                    \
     } while (0)
@@ -96,12 +97,56 @@ static void told(const char *name)
     printf("%s %08lx%08lx\n", name, (unsigned long)(hash_state >> 32), (unsigned long)(hash_state & 0xffffffffu));
 }
 
+static void expected(lyapunov_code code, lyapunov_code wanted, const char *name)
+{
+    if (code != wanted) {
+        printf("%s: code %lu, and %lu is right\n", name, (unsigned long)code, (unsigned long)wanted);
+        exit(1);
+    }
+}
+
+#define AT_ONE_BYTE_MORE(it) ((void *)((char *)&(it) + 1))
+
+/* That a refused call changed nothing shows in the hash, which then is not Rust's. */
+#define REFUSES(block, signal)                                       \
+    do {                                                             \
+        lyapunov_##block##_##signal##_memory memory_;                \
+        expected(lyapunov_##block##_##signal##_init(NULL, &parameters).code, LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_init(&storage, NULL).code, LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_init(AT_ONE_BYTE_MORE(storage), &parameters).code, LYAPUNOV_MISALIGNED, #block); \
+        expected(lyapunov_##block##_##signal##_retune(NULL, &parameters).code, LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_save(NULL, &memory_), LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_save(&storage, NULL), LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_restore(&storage, NULL).code, LYAPUNOV_NULL, #block); \
+        storage.tag ^= 1;                                            \
+        expected(lyapunov_##block##_##signal##_retune(&storage, &parameters).code, LYAPUNOV_NOT_INITIALISED, #block); \
+        expected(lyapunov_##block##_##signal##_save(&storage, &memory_), LYAPUNOV_NOT_INITIALISED, #block); \
+        storage.tag ^= 1;                                            \
+        expected(lyapunov_##block##_##signal##_save(&storage, &memory_), LYAPUNOV_OK, #block); \
+        expected(lyapunov_##block##_##signal##_restore(&storage, &memory_).code, LYAPUNOV_OK, #block); \
+        expected(lyapunov_##block##_##signal##_retune(&storage, &parameters).code, LYAPUNOV_OK, #block); \
+    } while (0)
+
+#define STEP_REFUSES(block, signal)                                  \
+    do {                                                             \
+        memset(&sample, 0, sizeof sample);                           \
+        memset(&effort, 0, sizeof effort);                           \
+        expected(lyapunov_##block##_##signal##_step(NULL, &sample, GIVEN_##signal(effort), &correction), LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_step(&storage, NULL, GIVEN_##signal(effort), &correction), LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_step(&storage, &sample, GIVEN_##signal(effort), NULL), LYAPUNOV_NULL, #block); \
+        expected(lyapunov_##block##_##signal##_step(&storage, AT_ONE_BYTE_MORE(sample), GIVEN_##signal(effort), &correction), LYAPUNOV_MISALIGNED, #block); \
+        storage.tag ^= 1;                                            \
+        expected(lyapunov_##block##_##signal##_step(&storage, &sample, GIVEN_##signal(effort), &correction), LYAPUNOV_NOT_INITIALISED, #block); \
+        storage.tag ^= 1;                                            \
+    } while (0)
+
 #define BEGIN(block, signal, ...)                                    \
     static lyapunov_##block##_##signal storage;                      \
     const lyapunov_##block##_##signal##_parameters parameters = __VA_ARGS__; \
     unsigned long tick;                                              \
     begin();                                                         \
-    checked(lyapunov_##block##_##signal##_init(&storage, &parameters), #block "_" #signal)
+    checked(lyapunov_##block##_##signal##_init(&storage, &parameters), #block "_" #signal); \
+    REFUSES(block, signal)
 
 /* What is called once a tick beside the step. */
 #define ALONE(block, signal)
@@ -118,6 +163,7 @@ static void told(const char *name)
         lyapunov_correction_##signal correction;                     \
         lyapunov_##signal effort;                                    \
         BEGIN(block, signal, __VA_ARGS__);                           \
+        STEP_REFUSES(block, signal);                                 \
         for (tick = 0; tick < ticks; ++tick) {                       \
             FILL_SAMPLE(signal, sample);                             \
             FILL(signal, effort, random_most[3]);                    \
@@ -157,6 +203,12 @@ static void told(const char *name)
         told("observer_" #signal);                                   \
     } while (0)
 
+#define HASH_READING(signal, seen)                                   \
+    do {                                                             \
+        HASH_SAMPLE(signal, (seen).sample);                          \
+        hash_bits((seen).accepted + 2 * (seen).jumped + 4 * (seen).late + 8 * (seen).timed); \
+    } while (0)
+
 /* A device that moves at random, at times with a reading that is none; `call` reads. */
 #define READINGS(block, signal, call, ...)                           \
     do {                                                             \
@@ -169,11 +221,9 @@ static void told(const char *name)
             FILL(signal, velocity, random_most[1]);                  \
             FILL(signal, applied, random_most[3]);                   \
             now += random_period();                                  \
-            (void)velocity;                                          \
-            (void)now;                                               \
+            (void)velocity, (void)now;                               \
             call(block, signal);                                     \
-            HASH_SAMPLE(signal, seen.sample);                        \
-            hash_bits(seen.accepted + 2 * seen.jumped + 4 * seen.late + 8 * seen.timed); \
+            HASH_READING(signal, seen);                              \
         }                                                            \
         told(#block "_" #signal);                                    \
     } while (0)
@@ -313,21 +363,25 @@ static void told(const char *name)
         lyapunov_checked_sample_##signal seen;                       \
         pose_type pose;                                              \
         lyapunov_##signal velocity, applied;                         \
+        double now = 0.0;                                            \
         BEGIN(block, signal, __VA_ARGS__);                           \
         for (tick = 0; tick < ticks; ++tick) {                       \
             FILL(signal, pose.position, random_most[0]);             \
             FILL(signal, pose.quaternion, 1.0);                      \
             FILL(signal, velocity, random_most[1]);                  \
             FILL(signal, applied, random_most[3]);                   \
-            (void)velocity;                                          \
+            now += random_period();                                  \
+            (void)velocity, (void)now;                               \
             call(block, signal);                                     \
-            HASH_SAMPLE(signal, seen.sample);                        \
-            hash_bits(seen.accepted + 2 * seen.jumped + 4 * seen.late + 8 * seen.timed); \
+            HASH_READING(signal, seen);                              \
         }                                                            \
         told(#block "_" #signal);                                    \
     } while (0)
 #define READ_POSE(block, signal) lyapunov_##block##_##signal##_read(&storage, &pose, &applied, &seen)
 #define READ_MOVING_POSE(block, signal) lyapunov_##block##_##signal##_read_moving(&storage, &pose, &velocity, &applied, &seen)
+#define READ_POSE_AT(block, signal) lyapunov_##block##_##signal##_read_at(&storage, now, &pose, &applied, &seen)
+#define READ_MOVING_POSE_AT(block, signal) \
+    lyapunov_##block##_##signal##_read_moving_at(&storage, now, &pose, &velocity, &applied, &seen)
 
 /* A group on every signal. */
 #define ON_EVERY(group, ...)          \

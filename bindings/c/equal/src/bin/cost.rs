@@ -23,7 +23,7 @@ unsafe extern "C" {
 type Room = [u64; 8];
 type Status = [u64; 4];
 
-/// How an effort is handed over, in C and in Rust alike: one number by value, several where they are.
+/// An effort as it is handed over, in C and in Rust alike: one number by value, several where they are.
 trait Handed: Signal {
     type Effort: Copy;
     const ONE: Self::Effort;
@@ -74,7 +74,7 @@ fn rust_step<V: Handed, S: Stabilizer<V>>(
     block.stabilize(sample, V::of(effort))
 }
 
-/// What is measured, and how often.
+/// The measurement: of which library and blocks, and how often.
 struct Bench {
     library: *mut c_void,
     only: Option<String>,
