@@ -25,7 +25,7 @@ use crate::files::Scene;
 use crate::simulate::family::{BasicName, StabilizerName};
 
 /// Cases that run side by side, and between two reports.
-const BATCH: u64 = 256;
+const BATCH: u64 = 64;
 
 /// Random scenes under a seed: case `k` is the same on every machine, whatever ran before.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
