@@ -27,6 +27,9 @@ use crate::simulate::family::{BasicName, StabilizerName};
 /// Cases that run side by side, and between two reports.
 const BATCH: u64 = 64;
 
+/// Cases of which one has a stabilizer that takes part in any.
+const LOOKED_AT: u64 = 256;
+
 /// Random scenes under a seed: case `k` is the same on every machine, whatever ran before.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Soak {
@@ -73,7 +76,7 @@ impl Soak {
 
     /// Whether the stabilizer takes part in any random scene.
     pub fn takes_part(&self) -> bool {
-        (0..BATCH).any(|case| self.scene(case).is_some())
+        (0..LOOKED_AT).any(|case| self.scene(case).is_some())
     }
 
     /// Runs case after case on all cores until one breaks a promise. `watch` is called with the number of cases done,
