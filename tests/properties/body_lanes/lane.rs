@@ -2,7 +2,7 @@
 
 use crate::support::{Bits, bad, hostile, log_between, ordinary, unit, wild};
 
-/// What one lane does.
+/// Body, start and efforts of one lane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lane {
     pub(super) body: [f64; 3],

@@ -6,7 +6,7 @@ use super::series::System;
 use super::trajectory::Trajectory;
 use super::transition::{Transitions, set};
 
-/// What a motion through one period came to, in each lane.
+/// End of a motion through one period, in each lane.
 pub(super) struct Passage<T, const S: usize> {
     /// The gain of each entry of the state.
     pub(super) gain: [T; S],

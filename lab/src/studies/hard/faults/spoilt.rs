@@ -133,7 +133,7 @@ impl<V: Signal> OnePort<V> for SpoiltEnvironment<V> {
     }
 }
 
-/// What stabilizes a loop, with the faults of `plan` in front of it and a `witness` in between.
+/// Stabilizer or port of a loop, with the faults of `plan` in front of it and a `witness` in between.
 pub(super) fn spoilt<V: Space>(
     fitted: Fitted<V>,
     plan: Plan,

@@ -13,7 +13,7 @@ use crate::studies::hard::tally::larger;
 use crate::studies::hard::terms::Terms;
 use crate::studies::hard::watched::Meters;
 
-/// What a stabilizer did not keep under faults.
+/// Promise that a stabilizer did not keep under faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Broken {
     /// A law of the port.

@@ -39,7 +39,7 @@ pub struct Soak {
     pub stabilizer: Option<StabilizerName>,
 }
 
-/// What was found.
+/// Result of some cases.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Soaked {
     /// The seed.

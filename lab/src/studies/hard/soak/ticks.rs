@@ -8,7 +8,7 @@ use crate::studies::hard::looped::{named_in, terms};
 use crate::studies::hard::tally::Tally;
 use crate::studies::hard::watched::Meters;
 
-/// What a run was.
+/// Measurements and bits of a run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ran {
     /// Its measurements.
