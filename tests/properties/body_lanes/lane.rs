@@ -39,7 +39,7 @@ impl Push {
         let noise: f64 = match self.noise {
             Noise::Within(scale) => ordinary(bits, scale),
             Noise::Hostile => hostile(bits),
-            Noise::WildEvery(ticks) if bits % ticks == 0 => wild(bits),
+            Noise::WildEvery(ticks) if bits.is_multiple_of(ticks) => wild(bits),
             Noise::WildEvery(_) => ordinary(bits, 2.0),
         };
         let gain = self.stiffness + self.swing * (0.5 * tick as f64).sin();
@@ -68,7 +68,7 @@ impl Lane {
             link: [log(5, 0.05, 1.0), log(6, 1e-3, 1.0), log(7, 1e2, 1e5), log(8, 1e-2, 10.0)],
             law: [breakaway * unit(random(9)), breakaway, log(10, 1e-3, 0.1)],
             period,
-            deviation: if bits % 2 == 0 { 0.0 } else { period * log(11, 1e-3, 1.0) },
+            deviation: if bits.is_multiple_of(2) { 0.0 } else { period * log(11, 1e-3, 1.0) },
             start: [ordinary(random(12), 0.02), ordinary(random(13), 0.3)],
             push: Push { stiffness: 0.0, swing: 0.0, damping: 0.0, noise, seed: random(14) },
         }
@@ -84,9 +84,9 @@ impl Lane {
             damping: ordinary(random(2), 30.0),
             ..lane.push
         };
-        let [damping, stiffness] = if bits % 3 == 0 { [0.0, 0.0] } else { [0.1, 30.0] };
+        let [damping, stiffness] = if bits.is_multiple_of(3) { [0.0, 0.0] } else { [0.1, 30.0] };
         let body = [0.5, damping, stiffness];
-        Self { body, period: 0.1, law: [0.3, 0.318, 0.002], push, ..lane }
+        Self { body, period: 0.1, law: [0.3, 0.32, 0.002], push, ..lane }
     }
 
     /// Numbers of any size.

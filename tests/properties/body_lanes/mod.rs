@@ -99,7 +99,7 @@ fn runaways_are_alone() {
     let push = Push { stiffness: 300.0, swing: 80.0, damping: 1.0, noise, seed: 0 };
     let lanes: [Lane; 8] = std::array::from_fn(|lane| Lane {
         body: [0.5, 0.0, 0.0],
-        law: [0.3, 0.318, 0.002],
+        law: [0.3, 0.32, 0.002],
         period: 0.1,
         start: [0.001 * (lane + 1) as f64, 0.05 * (lane as f64 - 3.0)],
         push,
