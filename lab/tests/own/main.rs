@@ -106,7 +106,7 @@ own!(Choosy, "choosy", [COUNT, SIZE], Damps, |on| {
     assert!(on.number::<f64>(SIZE) > 0.0 && on.number::<f64>(COUNT) >= 1.0);
     hand::<V::Scalar>(on, 1.0)
 });
-/// What the device's own damper burns, as the library's candidate has it.
+/// Damping of the device's own damper, as the library's candidate has it.
 struct MyDamping;
 
 impl OwnCandidate for MyDamping {

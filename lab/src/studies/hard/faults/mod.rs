@@ -65,7 +65,7 @@ pub struct Found {
     pub first: u64,
     /// The kind of number that the loop ran in.
     pub numbers: &'static str,
-    /// What is not kept.
+    /// The promise that is not kept.
     pub broken: Broken,
     /// The tick that was told to the stabilizer when it was not kept.
     pub tick: u64,

@@ -20,7 +20,7 @@ struct Spoiler<V: Signal> {
     tick: u64,
     /// The last sample that was told.
     last: PortSample<V>,
-    /// What the next sample has to span as well.
+    /// The sample that the next one has to span as well.
     missed: Option<PortSample<V>>,
 }
 

@@ -57,7 +57,7 @@ pub(super) struct Witness {
     pub(super) faults: u64,
     /// The most ticks after a fault until every sample is accepted.
     pub(super) recovery: u64,
-    /// What was broken first beside the laws, and the tick.
+    /// The first promise beside the laws that was broken, and the tick.
     broken: Option<(Broken, u64)>,
 }
 
@@ -78,7 +78,7 @@ impl Witness {
         }
     }
 
-    /// What was broken first, and the tick that was told when it was.
+    /// The first promise that was broken, and the tick that was told when it was.
     pub(super) fn broken(&self) -> Option<(Broken, u64)> {
         let law = self.meters.tallies().first().and_then(|tally| tally.broken);
         law.map(|(law, tick)| (Broken::Law(law), tick)).or(self.broken)
