@@ -1854,7 +1854,7 @@ typedef struct lyapunov_readings_windowed_f32_parameters {
     float fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m: a count of the encoder, or the noise. */
+    /* Largest distance from a line, m: a count of the encoder, or the noise. */
     float band;
 } lyapunov_readings_windowed_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_windowed_f32_parameters) == 16, lyapunov_readings_windowed_f32_parameters_size);
@@ -1904,7 +1904,7 @@ typedef struct lyapunov_readings_windowed_f64_parameters {
     double fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m: a count of the encoder, or the noise. */
+    /* Largest distance from a line, m: a count of the encoder, or the noise. */
     double band;
 } lyapunov_readings_windowed_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_windowed_f64_parameters) == 32, lyapunov_readings_windowed_f64_parameters_size);
@@ -1954,7 +1954,7 @@ typedef struct lyapunov_readings_windowed_f32x3_parameters {
     float fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m: a count of the encoder, or the noise. */
+    /* Largest distance from a line, m: a count of the encoder, or the noise. */
     float band;
 } lyapunov_readings_windowed_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_windowed_f32x3_parameters) == 16, lyapunov_readings_windowed_f32x3_parameters_size);
@@ -2004,7 +2004,7 @@ typedef struct lyapunov_readings_windowed_f64x3_parameters {
     double fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m: a count of the encoder, or the noise. */
+    /* Largest distance from a line, m: a count of the encoder, or the noise. */
     double band;
 } lyapunov_readings_windowed_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_windowed_f64x3_parameters) == 32, lyapunov_readings_windowed_f64x3_parameters_size);
@@ -2054,7 +2054,7 @@ typedef struct lyapunov_readings_windowed_f32x6_parameters {
     float fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m: a count of the encoder, or the noise. */
+    /* Largest distance from a line, m: a count of the encoder, or the noise. */
     float band;
 } lyapunov_readings_windowed_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_windowed_f32x6_parameters) == 16, lyapunov_readings_windowed_f32x6_parameters_size);
@@ -2104,7 +2104,7 @@ typedef struct lyapunov_readings_windowed_f64x6_parameters {
     double fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m: a count of the encoder, or the noise. */
+    /* Largest distance from a line, m: a count of the encoder, or the noise. */
     double band;
 } lyapunov_readings_windowed_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_windowed_f64x6_parameters) == 32, lyapunov_readings_windowed_f64x6_parameters_size);
@@ -2976,7 +2976,7 @@ typedef struct lyapunov_readings_of_poses_windowed_f32screw_parameters {
     float fastest_rotation;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m and rad. */
+    /* Largest distance from a line, m and rad. */
     float band;
 } lyapunov_readings_of_poses_windowed_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f32screw_parameters) == 20, lyapunov_readings_of_poses_windowed_f32screw_parameters_size);
@@ -3029,7 +3029,7 @@ typedef struct lyapunov_readings_of_poses_windowed_f64screw_parameters {
     double fastest_rotation;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
-    /* How far they may lie from a line, m and rad. */
+    /* Largest distance from a line, m and rad. */
     double band;
 } lyapunov_readings_of_poses_windowed_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_windowed_f64screw_parameters) == 40, lyapunov_readings_of_poses_windowed_f64screw_parameters_size);

@@ -80,7 +80,7 @@ blocks! {
             fastest: T,
             /// The number of readings, 1 to 16.
             ticks: u32,
-            /// How far they may lie from a line, m: a count of the encoder, or the noise.
+            /// Largest distance from a line, m: a count of the encoder, or the noise.
             band: T,
         };
         |given| every::<V>(given.period, given.fastest)?.windowed(given.ticks as usize, given.band);
@@ -179,7 +179,7 @@ blocks! {
             fastest_rotation: T,
             /// The number of readings, 1 to 16.
             ticks: u32,
-            /// How far they may lie from a line, m and rad.
+            /// Largest distance from a line, m and rad.
             band: T,
         };
         |given| {
