@@ -106,6 +106,22 @@ fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
     assert!(parsed(&text).ticks() < 50, "{text}");
 }
 
+// A loop that runs away until a damper of 2.5e-44 N s/m, less than the smallest normal number, is left to spread.
+#[test]
+fn a_damping_is_judged_to_the_digits_that_it_has() {
+    let text = "
+        duration = 0.4
+        environment_rate = 173.67122400379452
+        servo_rate = 694.6848960151781
+        device.mass = 100.0
+        effects.dropout = { policy = 'zero', probability = 0.743, seed = 2897454045 }
+        environment.spring.stiffness = 5e7
+        initial.velocity = 2.0
+        operator.damping = 3.0
+        stabilizer.popc-spread = {}";
+    assert_eq!(breach(&parsed(text)).unwrap(), None);
+}
+
 #[test]
 fn a_sweep_of_faults_finds_who_does_not_recover() {
     let scene = shipped("press-1khz");

@@ -256,6 +256,7 @@ impl Meter {
     /// The laws of an effort that was accepted.
     fn judge_effort(&mut self, sight: &Sight) {
         let (tick, epsilon) = (self.tick, self.epsilon);
+        let least = self.least_damping(sight.alpha);
         for axis in 0..sight.velocity.count {
             let [out, given, v] =
                 [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
@@ -273,8 +274,7 @@ impl Meter {
             let most = self.terms.limit * v.abs() * (1.0 + 8.0 * epsilon);
             require(Law::Opposes, (out - given) * v >= -rounding * v.abs());
             require(Law::WithinLimit, (out - given).abs() <= most + rounding);
-            let told = sight.alpha * v.abs() * (1.0 - 16.0 * epsilon);
-            require(Law::Injects, (out - given).abs() >= told - rounding - self.tiny);
+            require(Law::Injects, (out - given).abs() >= least * v.abs() - rounding - self.tiny);
             let correction = (out - given).abs() / most.max(rounding).max(self.tiny);
             self.tally.correction = larger(self.tally.correction, correction);
         }
@@ -287,6 +287,11 @@ impl Meter {
         self.tally.require(Law::Served, served >= -rounding || !in_range, tick);
     }
 
+    /// The least damping that rounds to `alpha`, N s/m: below the smallest normal number a step is as large as there.
+    fn least_damping(&self, alpha: f64) -> f64 {
+        alpha * (1.0 - 16.0 * self.epsilon) - 4.0 * self.tiny * self.epsilon
+    }
+
     /// The same laws of a correction as a vector.
     fn judge_direction(&mut self, sight: &Sight) {
         let Sight { out, effort, velocity, .. } = sight;
@@ -296,7 +301,7 @@ impl Meter {
         let opposes = added.inner(velocity) >= -rounding * velocity.length();
         self.tally.require(Law::Opposes, opposes, self.tick);
         self.tally.require(Law::WithinLimit, added.length() <= most + rounding, self.tick);
-        let told = sight.alpha * velocity.inner(velocity) * (1.0 - 16.0 * self.epsilon);
+        let told = self.least_damping(sight.alpha) * velocity.inner(velocity);
         let injects = added.inner(velocity) >= told - rounding * velocity.length() - self.tiny;
         self.tally.require(Law::Injects, injects, self.tick);
     }
