@@ -116,11 +116,12 @@ impl Sight {
         self.velocity.inner(&self.velocity) * self.period
     }
 
-    /// The largest energy, power or square that a stabilizer may make of it, in J, W or m²/s²: what the range of its
-    /// scalar has to hold.
+    /// The largest energy, power or square that a stabilizer may make of it, in J, W, m²/s² or N²: what the range of
+    /// its scalar has to hold.
     pub(super) fn energy(&self) -> f64 {
         let power = self.effort.inner(&self.velocity).abs();
-        let squares = self.velocity.inner(&self.velocity).max(self.square());
+        let forces = self.effort.inner(&self.effort);
+        let squares = self.velocity.inner(&self.velocity).max(self.square()).max(forces);
         squares.max(power).max(power * self.period)
     }
 

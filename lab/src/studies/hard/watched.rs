@@ -217,8 +217,8 @@ impl Meter {
     fn judge(&mut self, sight: &Sight) {
         let tick = self.tick;
         let sound = sight.sound();
-        // The stabilizer rejects energies and powers near the end of the scalar's range, and squared velocities there;
-        // from then on its ledger is no longer whole.
+        // The stabilizer rejects energies and powers near the end of the scalar's range, and squares there; from then on
+        // its ledger is no longer whole.
         let told = if sound { sight.energy().max(self.now.abs()) } else { 0.0 };
         let energy = told.max(self.balance.size());
         let left = energy > self.largest / 64.0 || !sound && self.terms.unsound == Unsound::Range;
@@ -260,7 +260,7 @@ impl Meter {
         for axis in 0..sight.velocity.count {
             let [out, given, v] =
                 [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
-            let rounding = 8.0 * epsilon * (out.abs() + given.abs());
+            let rounding = 8.0 * epsilon * out.abs() + 8.0 * epsilon * given.abs();
             let mut require = |law, kept| self.tally.require(law, kept, tick);
             match self.terms.pledge.manner {
                 Manner::Damps => {}
@@ -296,7 +296,7 @@ impl Meter {
     fn judge_direction(&mut self, sight: &Sight) {
         let Sight { out, effort, velocity, .. } = sight;
         let added = out.minus(effort);
-        let rounding = 8.0 * self.epsilon * (out.length() + effort.length());
+        let rounding = 8.0 * self.epsilon * out.length() + 8.0 * self.epsilon * effort.length();
         let most = self.terms.limit * velocity.length() * (1.0 + 8.0 * self.epsilon);
         let opposes = added.inner(velocity) >= -rounding * velocity.length();
         self.tally.require(Law::Opposes, opposes, self.tick);

@@ -102,7 +102,8 @@ fn is_uncapped(scene: &Scene) -> bool {
 }
 
 /// Whether the swing of the last quarter is far beyond what the scene starts with (true) or near it (false); none in
-/// between, and of a scene of which rounding decides.
+/// between, and of a scene of which rounding decides. A loop that left the range of its scalar is judged by all of its
+/// swing: no position may be known at its end.
 fn runs_away(scene: &Scene, ran: &Ran) -> Option<bool> {
     if is_uncapped(scene) || scene.environment.wall().is_none() {
         return None;
@@ -111,7 +112,9 @@ fn runs_away(scene: &Scene, ran: &Ran) -> Option<bool> {
         [&scene.initial.position, &scene.initial.velocity, &scene.operator.rest]
             .map(|it| it.get().abs());
     let size = position + rest + velocity * scene.duration.get();
-    match ran.tally.late_swing / size {
+    let tally = &ran.tally;
+    let swing = if tally.out_of_range.is_some() { tally.swing } else { tally.late_swing };
+    match swing / size {
         share if share > 1e4 || !share.is_finite() => Some(true),
         share if share < 10.0 => Some(false),
         _ => None,
