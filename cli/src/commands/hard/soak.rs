@@ -71,8 +71,9 @@ impl Hard {
             bar.inc(1);
         }
         bar.finish_and_clear();
+        let ticks = if recovery == 1 { "tick" } else { "ticks" };
         Ok(format!(
-            "after {faults} faults too; every sample is accepted again after {recovery} tick\n"
+            "after {faults} faults too; every sample is accepted again after {recovery} {ticks}\n"
         ))
     }
 
