@@ -10,81 +10,105 @@ const BAND: (f64, f64) = (5.0, 50.0);
 /// Watches a force's root mean square between 5 and 50 Hz by Welch's method: the mean over segments of one
 /// second, overlapping by half, of the power in the band under a Hann window; in several dimensions the power of all axes.
 ///
-/// The window keeps a force that merely stays or drifts from leaking into the band. The sums run along with the ticks,
-/// one turning phasor per frequency, and keep no sample: a transform of the whole run would need memory in proportion
-/// to its length.
+/// The window keeps a force that merely stays or drifts from leaking into the band. It acts on the sums and not on the
+/// samples: under it, a line is half of itself less a quarter of each of its neighbours. So one set of sums of half a
+/// segment serves both segments that share it. The sums run along with the ticks and keep no more than a block of them:
+/// a transform of the whole run would need memory in proportion to its length.
 #[derive(Clone, Debug)]
 pub(crate) struct Chatter<V: Signal> {
     length: i64,
     hop: i64,
-    /// The place of the tick in the segments of even and of odd number; not in one below 0, and from `length` on.
-    places: [i64; 2],
-    /// The place of the tick in the phasors' round.
-    turned: i64,
-    windows: [Phasor; 2],
-    phasors: Phasors,
+    /// The place of the tick in its half of a segment.
+    place: i64,
+    /// Those of the band, and one more at each end.
     lines: Vec<Line<V>>,
-    /// The windowed forces of ticks that the lines do not have yet.
-    waiting: [[V; 2]; BLOCK],
+    /// The forces of ticks that the lines do not have yet.
+    waiting: [V; BLOCK],
     count: usize,
+    is_first: bool,
     power: V::Scalar,
     segments: u64,
 }
 
-/// Ticks that the sums of a line take at once: they are read and written once for all of these.
-const BLOCK: usize = 8;
+/// Ticks that the sums of a line take at once. With phases counted from the middle of a block, its ticks pair up.
+const BLOCK: usize = 16;
 
-/// One frequency: the sums of the two segments that overlap.
+/// Half of them: the pairs.
+const PAIRS: usize = BLOCK / 2;
+
+/// A complex number.
+type Complex<T> = (T, T);
+
+/// One frequency, by its sums over half segments.
 #[derive(Clone, Copy, Debug)]
 struct Line<V> {
-    sums: [(V, V); 2],
+    sum: Complex<V>,
+    before: Complex<V>,
+    /// The cosine and the sine of the angle from the middle of a block to each pair's later tick.
+    pairs: [Complex<f64>; PAIRS],
+    /// The phase of the middle of the block; its change from block to block; its value in the first.
+    now: Complex<f64>,
+    turn: Complex<f64>,
+    first: Complex<f64>,
+    /// The change over a half segment.
+    half: Complex<f64>,
     /// 2 for a line that also stands for its mirror image.
     weight: f64,
 }
 
-/// `e^(−i angle n)`, updated by rotation.
-#[derive(Clone, Copy, Debug)]
-struct Phasor {
-    turn: (f64, f64),
-    now: (f64, f64),
+/// `e^(−i angle)`.
+fn phase(angle: f64) -> Complex<f64> {
+    (libm::cos(angle), -libm::sin(angle))
 }
 
-impl Phasor {
-    fn new(angle: f64) -> Self {
-        Self { turn: (libm::cos(angle), -libm::sin(angle)), now: (1.0, 0.0) }
+/// `sum` with `by · to` added to it.
+#[inline(always)]
+fn turned<V: Signal>(sum: Complex<V>, by: Complex<f64>, to: Complex<V>) -> Complex<V> {
+    let [cos, sin] = [V::Scalar::of(by.0), V::Scalar::of(by.1)];
+    let real = to.0.scale(cos) - to.1.scale(sin);
+    let imaginary = to.0.scale(sin) + to.1.scale(cos);
+    (sum.0 + real, sum.1 + imaginary)
+}
+
+impl<V: Signal> Line<V> {
+    /// The line of `index` turns in a segment of `length` ticks, of which `hop` are its first half.
+    fn new(index: f64, length: f64, hop: f64) -> Self {
+        let angle = TAU * index / length;
+        let none = (V::zero(), V::zero());
+        let pairs = std::array::from_fn(|pair| {
+            let (cos, sin) = phase(angle * (pair as f64 + 0.5));
+            (cos, -sin)
+        });
+        let first = phase(angle * (BLOCK - 1) as f64 / 2.0);
+        let turn = phase(angle * BLOCK as f64);
+        let half = phase(angle * hop);
+        let weight = if 2.0 * index == length { 1.0 } else { 2.0 };
+        Self { sum: none, before: none, pairs, now: first, turn, first, half, weight }
     }
 
-    /// The phasor's value, or 1 if it starts `anew`; then rotates it.
+    /// Adds a block by the sums and the differences of its pairs.
     #[inline(always)]
-    fn next(&mut self, anew: bool) -> (f64, f64) {
-        let (cos, sin) = if anew { (1.0, 0.0) } else { self.now };
-        let turn = self.turn;
-        self.now = (cos * turn.0 - sin * turn.1, cos * turn.1 + sin * turn.0);
-        (cos, sin)
-    }
-}
-
-/// The phasors of all lines, which turn side by side, and their values over the ticks of a block.
-#[derive(Clone, Debug)]
-struct Phasors {
-    each: Vec<Phasor>,
-    values: [Vec<(f64, f64)>; BLOCK],
-}
-
-impl Phasors {
-    fn new(each: Vec<Phasor>) -> Self {
-        let values = [(); BLOCK].map(|()| vec![(0.0, 0.0); each.len()]);
-        Self { each, values }
-    }
-
-    /// Turns the phasors over `count` ticks, from 1 if they start `anew`.
-    #[inline(always)]
-    fn turn(&mut self, count: usize, anew: bool) {
-        for (tick, values) in self.values.iter_mut().take(count).enumerate() {
-            for (value, phasor) in values.iter_mut().zip(&mut self.each) {
-                *value = phasor.next(anew && tick == 0);
-            }
+    fn add(&mut self, pairs: &[Complex<V>; PAIRS]) {
+        let mut block = (V::zero(), V::zero());
+        for ((sum, difference), (cos, sin)) in pairs.iter().zip(self.pairs) {
+            block.0 = block.0 + sum.scale(V::Scalar::of(cos));
+            block.1 = block.1 - difference.scale(V::Scalar::of(sin));
         }
+        self.sum = turned(self.sum, self.now, block);
+        self.now = turned((0.0, 0.0), self.turn, self.now);
+    }
+
+    /// The sums over the half segment before, this one as far as it is there, and a block more.
+    #[inline(always)]
+    fn segment(mut self, pairs: &[Complex<V>; PAIRS]) -> Complex<V> {
+        self.add(pairs);
+        turned(self.before, self.half, self.sum)
+    }
+
+    /// Begins the next half segment. The phases start anew there, so that their roundings do not add up.
+    fn begin(&mut self) {
+        self.before = std::mem::replace(&mut self.sum, (V::zero(), V::zero()));
+        self.now = self.first;
     }
 }
 
@@ -99,24 +123,16 @@ impl<V: Signal> Chatter<V> {
         let within = 1e-9;
         let first = (BAND.0 * length / rate - within).ceil() as u64;
         let last = ((BAND.1 * length / rate + within).floor() as u64).min(length as u64 / 2);
-        let line = |index: u64| {
-            let weight = if 2.0 * index as f64 == length { 1.0 } else { 2.0 };
-            Line { sums: [(V::zero(), V::zero()); 2], weight }
-        };
-        let phasor = |index: u64| Phasor::new(TAU * index as f64 / length);
-        let windows = [Phasor::new(TAU / length); 2];
-        let length = length as i64;
-        let hop = length - length / 2;
+        let hop = length - (length / 2.0).floor();
+        let line = |index: u64| Line::new(index as f64, length, hop);
         Some(Self {
-            length,
-            hop,
-            places: [0, -hop],
-            turned: 0,
-            windows,
-            phasors: Phasors::new((first..=last).map(phasor).collect()),
-            lines: (first..=last).map(line).collect(),
-            waiting: [[V::zero(); 2]; BLOCK],
+            length: length as i64,
+            hop: hop as i64,
+            place: 0,
+            lines: (first - 1..=last + 1).map(line).collect(),
+            waiting: [V::zero(); BLOCK],
             count: 0,
+            is_first: true,
             power: V::Scalar::of(0.0),
             segments: 0,
         })
@@ -124,58 +140,43 @@ impl<V: Signal> Chatter<V> {
 
     #[inline(always)]
     pub(crate) fn add(&mut self, force: V) {
-        self.waiting[self.count] = [self.windowed(0, force), self.windowed(1, force)];
+        self.waiting[self.count] = force;
         self.count += 1;
-        let closing = self.places.map(|place| place == self.length - 1);
-        // Every line comes round within a segment; restarting there keeps rounding from accumulating.
-        let comes_round = self.turned == self.length - 1;
-        if self.count == BLOCK || comes_round || closing[0] || closing[1] {
-            self.sum();
+        self.place += 1;
+        let ends = self.place == self.hop;
+        // A segment of an odd number of ticks ends a tick before its second half.
+        if self.place == self.length - self.hop && !self.is_first {
+            self.close();
         }
-        for which in [0, 1] {
-            if closing[which] {
-                self.close(which);
-            }
-            let last = self.places[which] == 2 * self.hop - 1;
-            self.places[which] = if last { 0 } else { self.places[which] + 1 };
+        if self.count == BLOCK || ends {
+            let pairs = self.pairs();
+            self.lines.iter_mut().for_each(|line| line.add(&pairs));
+            self.count = 0;
         }
-        self.turned = if comes_round { 0 } else { self.turned + 1 };
+        if ends {
+            self.lines.iter_mut().for_each(Line::begin);
+            (self.place, self.is_first) = (0, false);
+        }
     }
 
-    /// The force under the Hann window of the tick's segment of even or odd number.
+    /// The sums and the differences of the pairs that wait, from the middle out.
     #[inline(always)]
-    fn windowed(&mut self, which: usize, force: V) -> V {
-        let place = self.places[which];
-        if !(0..self.length).contains(&place) {
-            return V::zero();
-        }
-        let (cos, _) = self.windows[which].next(place == 0);
-        force.scale(V::Scalar::of(0.5 - 0.5 * cos))
+    fn pairs(&mut self) -> [Complex<V>; PAIRS] {
+        self.waiting[self.count..].fill(V::zero());
+        std::array::from_fn(|pair| {
+            let (early, late) = (self.waiting[PAIRS - 1 - pair], self.waiting[PAIRS + pair]);
+            (late + early, late - early)
+        })
     }
 
-    /// Adds the forces that wait to the sums of all lines, tick by tick.
-    #[inline(always)]
-    fn sum(&mut self) {
-        let anew = self.turned + 1 == self.count as i64;
-        self.phasors.turn(self.count, anew);
-        for (index, line) in self.lines.iter_mut().enumerate() {
-            let mut sums = line.sums;
-            for (parts, values) in self.waiting.iter().zip(&self.phasors.values).take(self.count) {
-                let (cos, sin) = values[index];
-                for (sum, part) in sums.iter_mut().zip(parts) {
-                    sum.0 = sum.0 + part.scale(V::Scalar::of(cos));
-                    sum.1 = sum.1 + part.scale(V::Scalar::of(sin));
-                }
-            }
-            line.sums = sums;
-        }
-        self.count = 0;
-    }
-
-    fn close(&mut self, which: usize) {
-        for line in &mut self.lines {
-            let (re, im) = std::mem::replace(&mut line.sums[which], (V::zero(), V::zero()));
-            self.power += V::Scalar::of(line.weight) * (re.inner(re) + im.inner(im));
+    fn close(&mut self) {
+        let pairs = self.pairs();
+        let part =
+            |of: V, beside: V| of.scale(V::Scalar::of(0.5)) - beside.scale(V::Scalar::of(0.25));
+        for lines in self.lines.windows(3) {
+            let [below, line, above] = [0, 1, 2].map(|which| lines[which].segment(&pairs));
+            let (re, im) = (part(line.0, below.0 + above.0), part(line.1, below.1 + above.1));
+            self.power += V::Scalar::of(lines[1].weight) * (re.inner(re) + im.inner(im));
         }
         self.segments += 1;
     }
