@@ -150,7 +150,10 @@ impl<V: Signal> Chatter<V> {
         }
         if self.count == BLOCK || ends {
             let pairs = self.pairs();
-            self.lines.iter_mut().for_each(|line| line.add(&pairs));
+            // A loop, as closures are not always inlined on lanes.
+            for line in &mut self.lines {
+                line.add(&pairs);
+            }
             self.count = 0;
         }
         if ends {
@@ -163,10 +166,12 @@ impl<V: Signal> Chatter<V> {
     #[inline(always)]
     fn pairs(&mut self) -> [Complex<V>; PAIRS] {
         self.waiting[self.count..].fill(V::zero());
-        std::array::from_fn(|pair| {
+        let mut pairs = [(V::zero(), V::zero()); PAIRS];
+        for (pair, both) in pairs.iter_mut().enumerate() {
             let (early, late) = (self.waiting[PAIRS - 1 - pair], self.waiting[PAIRS + pair]);
-            (late + early, late - early)
-        })
+            *both = (late + early, late - early);
+        }
+        pairs
     }
 
     fn close(&mut self) {

@@ -30,7 +30,7 @@ pub struct Encoder<P, V: Signal> {
 impl<P, V: Signal> Encoder<P, V> {
     pub(crate) fn new(port: P, resolution: V::Scalar) -> Result<Self, ParameterError> {
         let resolution = Requirement::Positive.check("encoder resolution", resolution)?;
-        Ok(Self { port, resolution, retold: Retold::new() })
+        Ok(Self { port, resolution, retold: Retold::after(None) })
     }
 }
 
@@ -58,10 +58,10 @@ impl<P: Snapshot, V: Signal> Snapshot for Encoder<P, V> {
     type State = (P::State, Option<V>);
 
     fn state(&self) -> Self::State {
-        (self.port.state(), self.retold.last)
+        (self.port.state(), self.retold.last())
     }
 
     fn restored(self, (port, last): Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { port: self.port.restored(port)?, retold: Retold { last }, ..self })
+        Ok(Self { port: self.port.restored(port)?, retold: Retold::after(last), ..self })
     }
 }

@@ -39,7 +39,7 @@ impl<P, V: Signal> Noise<P, V> {
     ) -> Result<Self, ParameterError> {
         let deviation = Requirement::NonNegative.check("noise deviation", deviation)?;
         let random = Random::new(seed, Source::Noise);
-        Ok(Self { port, deviation, random, retold: Retold::new() })
+        Ok(Self { port, deviation, random, retold: Retold::after(None) })
     }
 }
 
@@ -69,11 +69,11 @@ impl<P: Snapshot, V: Signal> Snapshot for Noise<P, V> {
     type State = (P::State, u64, Option<V>);
 
     fn state(&self) -> Self::State {
-        (self.port.state(), self.random.state(), self.retold.last)
+        (self.port.state(), self.random.state(), self.retold.last())
     }
 
     fn restored(self, (port, calls, last): Self::State) -> Result<Self, ParameterError> {
         let random = self.random.restored(calls)?;
-        Ok(Self { port: self.port.restored(port)?, random, retold: Retold { last }, ..self })
+        Ok(Self { port: self.port.restored(port)?, random, retold: Retold::after(last), ..self })
     }
 }
