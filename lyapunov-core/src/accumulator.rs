@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use simba::simd::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8};
 
-use crate::{DoubleDouble, ParameterError, Requirement, Scalar, Signal, Snapshot};
+use crate::{DoubleDouble, ParameterError, Requirement, Scalar, Snapshot};
 
 /// A running sum of energies, J.
 pub trait Accumulator<T: Scalar>: Copy + Debug {
@@ -217,7 +217,7 @@ impl<T: Widen> Accumulator<T> for Wide<T> {
 
     #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
-        told(self.sum.add_and_raise(term.widen(), most.widen()))
+        T::narrow(self.sum.add_and_raise(term.widen(), most.widen()))
     }
 
     #[inline(always)]
@@ -227,16 +227,8 @@ impl<T: Widen> Accumulator<T> for Wide<T> {
 
     #[inline(always)]
     fn value(&self) -> T {
-        told(self.sum.value())
+        T::narrow(self.sum.value())
     }
-}
-
-/// The nearest finite number of `T` to a finite `sum`: there is room in it beyond the range of `T`, from where it can
-/// come back.
-#[inline(always)]
-fn told<T: Widen>(sum: T::Wide) -> T {
-    let ended = sum.limited(T::largest().widen());
-    T::narrow(T::Wide::choose(sum.finite(), ended, sum))
 }
 
 impl<T: Widen> Snapshot for Wide<T> {
@@ -247,7 +239,7 @@ impl<T: Widen> Snapshot for Wide<T> {
     }
 
     fn restored(self, sum: T::Wide) -> Result<Self, ParameterError> {
-        Requirement::Finite.check("stored sum", told::<T>(sum))?;
+        Requirement::Finite.check("stored sum", T::narrow(sum))?;
         Ok(Self { sum: self.sum.restored(sum)? })
     }
 }
