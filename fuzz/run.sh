@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The fuzz targets (docs/fuzzing.md).
 #   run.sh                         each over random bytes that are the same every time; not the readers, which the tests of cli have
+#   run.sh ticks COUNT             the steps alone, over so many ticks in all: 1000000000 takes half an hour of a core
 #   run.sh TARGET MINUTES [JOBS]   steps, poses or readers, under libFuzzer with the address sanitizer; a case that it finds is
 #                                  left in artifacts/TARGET
 #   run.sh coverage                which regions of the steps the random test of `cargo test` executes
@@ -33,10 +34,14 @@ coverage() {
 
 case $target in
     tests) cargo test --quiet; exit ;;
+    ticks)
+        FUZZ_TICKS=${2:?"number of ticks"} cargo test --quiet --test steps -- --nocapture as_many_ticks
+        exit
+        ;;
     coverage) coverage; exit ;;
     steps | poses) folder=. ;;
     readers) folder=readers ;;
-    *) echo "usage: fuzz/run.sh [coverage | steps|poses|readers MINUTES [JOBS]]"; exit 2 ;;
+    *) echo "usage: fuzz/run.sh [coverage | ticks COUNT | steps|poses|readers MINUTES [JOBS]]"; exit 2 ;;
 esac
 minutes=${2:?"minutes"}
 jobs=${3:-1}
