@@ -7,6 +7,8 @@ mod controller;
 mod every_member;
 mod limits;
 mod messages;
+mod plausible;
+mod retuned;
 mod room;
 
 #[path = "../family/account.rs"]
