@@ -10,6 +10,8 @@ mod messages;
 mod plausible;
 mod retuned;
 mod room;
+mod shaped;
+mod watched;
 
 #[path = "../family/account.rs"]
 mod account;
@@ -33,6 +35,8 @@ mod input_to_state;
 mod least_norm;
 #[path = "../family/memory_based.rs"]
 mod memory_based;
+#[path = "../family/neutral.rs"]
+mod neutral;
 #[path = "../family/path_memory.rs"]
 mod path_memory;
 #[path = "../family/reference.rs"]
