@@ -5,6 +5,7 @@
 
 mod controller;
 mod every_member;
+mod inertia;
 mod limits;
 mod messages;
 mod plausible;
