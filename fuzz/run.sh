@@ -26,10 +26,8 @@ coverage() {
     for binary in "$out"/debug/deps/{steps,poses}-*; do
         if [ -x "$binary" ] && [ ! -d "$binary" ]; then objects+=(-object "$binary"); fi
     done
-    "$tools/llvm-cov" report "${objects[@]}" -instr-profile "$out/all.profdata" \
-        "$PWD/../stabilizers/src" "$PWD/../lyapunov-core/src" | tee "$out/report.txt"
-    "$tools/llvm-cov" show "${objects[@]}" -instr-profile "$out/all.profdata" \
-        "$PWD/../stabilizers/src" "$PWD/../lyapunov-core/src" >"$out/lines.txt"
+    "$tools/llvm-cov" export "${objects[@]}" -instr-profile "$out/all.profdata" >"$out/all.json"
+    python3 coverage.py "$out/all.json" .. | tee "$out/missed.txt"
 }
 
 case $target in

@@ -2,10 +2,11 @@
 
 use lyapunov::{
     DampingLimit, PortSample, Stabilizer,
-    stabilizers::{Account, LimitCredit, Sharing, TwoLayer, TwoPortSide},
+    candidates::InContact,
+    stabilizers::{Account, LimitCredit, Sharing, StabilizerExt, TwoLayer, TwoPortSide},
 };
 
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, popc};
 
 /// In sixteenths of what is too large: what there is room for is booked, and nothing else is.
 #[test]
@@ -47,6 +48,8 @@ fn forfeits(mut end: impl Account<f64> + LimitCredit<f64>) {
 fn credit_above_a_bound_is_forfeited() {
     forfeits(TwoLayer::slave(Sharing { start: 0.0, share: 0.1 }).expect("an end"));
     forfeits(TwoPortSide::<f64>::new(DampingLimit::at(8.0).expect("a limit")));
+    forfeits(popc::<f64>().bounded(1e9).expect("a bound"));
+    forfeits(popc::<f64>().reset_at(InContact { position: 0.0 }));
 }
 
 /// What is told to the other side: no work of a spoilt tick, and no sum that left the range.
