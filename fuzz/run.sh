@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The fuzz targets (docs/fuzzing.md).
 #   run.sh                         each over random bytes that are the same every time; not the readers, which the tests of cli have
+#   run.sh ticks COUNT             the steps alone, over so many ticks in all: 1000000000 takes half an hour of a core
 #   run.sh TARGET MINUTES [JOBS]   steps, poses or readers, under libFuzzer with the address sanitizer; a case that it finds is
 #                                  left in artifacts/TARGET
 #   run.sh coverage                which regions of the steps the random test of `cargo test` executes
@@ -25,18 +26,20 @@ coverage() {
     for binary in "$out"/debug/deps/{steps,poses}-*; do
         if [ -x "$binary" ] && [ ! -d "$binary" ]; then objects+=(-object "$binary"); fi
     done
-    "$tools/llvm-cov" report "${objects[@]}" -instr-profile "$out/all.profdata" \
-        "$PWD/../stabilizers/src" "$PWD/../lyapunov-core/src" | tee "$out/report.txt"
-    "$tools/llvm-cov" show "${objects[@]}" -instr-profile "$out/all.profdata" \
-        "$PWD/../stabilizers/src" "$PWD/../lyapunov-core/src" >"$out/lines.txt"
+    "$tools/llvm-cov" export "${objects[@]}" -instr-profile "$out/all.profdata" >"$out/all.json"
+    python3 coverage.py "$out/all.json" .. | tee "$out/missed.txt"
 }
 
 case $target in
     tests) cargo test --quiet; exit ;;
+    ticks)
+        FUZZ_TICKS=${2:?"number of ticks"} cargo test --quiet --test steps -- --nocapture as_many_ticks
+        exit
+        ;;
     coverage) coverage; exit ;;
     steps | poses) folder=. ;;
     readers) folder=readers ;;
-    *) echo "usage: fuzz/run.sh [coverage | steps|poses|readers MINUTES [JOBS]]"; exit 2 ;;
+    *) echo "usage: fuzz/run.sh [coverage | ticks COUNT | steps|poses|readers MINUTES [JOBS]]"; exit 2 ;;
 esac
 minutes=${2:?"minutes"}
 jobs=${3:-1}

@@ -28,6 +28,15 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
 
     /// The sum, rounded to the port's scalar.
     fn value(&self) -> T;
+
+    /// Whether `term` can be added and leaves the sum finite, lane by lane.
+    #[inline(always)]
+    fn fits(&self, term: T) -> T::Mask {
+        // Added and looked at: at the end of the range a sum of several parts may have no room for what its value has.
+        let mut sum = *self;
+        sum.add(term);
+        sum.value().finite()
+    }
 }
 
 /// One number: fastest. In `f32` a sum of microjoules stops growing at 32 J.

@@ -148,7 +148,7 @@ impl<W: Work, A> Ledger<W, A> {
     where
         A: Accumulator<T>,
     {
-        (self.sum.value() + decrease).finite()
+        self.sum.fits(decrease)
     }
 }
 

@@ -50,18 +50,33 @@ pub trait Account<T: Scalar> {
     fn owe(&mut self, debt: T) -> Result<(), ParameterError>;
 }
 
-/// What may be added to a sum of `held` joules.
-pub(crate) fn granted<T: Scalar>(held: T, energy: T) -> Result<T, ParameterError> {
+/// What may be granted to a sum that has room for a change where it `fits`.
+pub(crate) fn granted<T: Scalar>(
+    energy: T,
+    fits: impl FnOnce(T) -> T::Mask,
+) -> Result<T, ParameterError> {
     let energy = Requirement::NonNegative.check("granted credit", energy)?;
-    Requirement::InRange.check("granted credit", held + energy)?;
-    Ok(energy)
+    with_room("granted credit", energy, fits)
 }
 
-/// What may be taken from a sum of `held` joules, below 0.
-pub(crate) fn owed<T: Scalar>(held: T, debt: T) -> Result<T, ParameterError> {
+/// What may be taken from such a sum, below 0.
+pub(crate) fn owed<T: Scalar>(
+    debt: T,
+    fits: impl FnOnce(T) -> T::Mask,
+) -> Result<T, ParameterError> {
     let debt = Requirement::NonNegative.check("debt carried over", debt)?;
-    Requirement::InRange.check("debt carried over", held - debt)?;
-    Ok(-debt)
+    with_room("debt carried over", -debt, fits)
+}
+
+fn with_room<T: Scalar>(
+    name: &'static str,
+    change: T,
+    fits: impl FnOnce(T) -> T::Mask,
+) -> Result<T, ParameterError> {
+    // A change without room counts as one that is infinite.
+    let endless = T::of(f64::INFINITY);
+    Requirement::InRange.check(name, T::choose(fits(change), change, endless))?;
+    Ok(change)
 }
 
 impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {
@@ -74,12 +89,12 @@ impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {
     }
 
     fn grant(&mut self, energy: T) -> Result<(), ParameterError> {
-        self.credit(granted(self.energy(), energy)?);
+        self.credit(granted(energy, |change| self.fits(change))?);
         Ok(())
     }
 
     fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
-        self.credit(owed(self.energy(), debt)?);
+        self.credit(owed(debt, |change| self.fits(change))?);
         Ok(())
     }
 }
@@ -122,12 +137,12 @@ macro_rules! account_in_sum {
             }
 
             fn grant(&mut self, energy: $scalar) -> Result<(), lyapunov_core::ParameterError> {
-                self.$field.add($crate::account::granted(self.$field.value(), energy)?);
+                self.$field.add($crate::account::granted(energy, |change| self.$field.fits(change))?);
                 Ok(())
             }
 
             fn owe(&mut self, debt: $scalar) -> Result<(), lyapunov_core::ParameterError> {
-                self.$field.add($crate::account::owed(self.$field.value(), debt)?);
+                self.$field.add($crate::account::owed(debt, |change| self.$field.fits(change))?);
                 Ok(())
             }
         }

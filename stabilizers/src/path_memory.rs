@@ -179,7 +179,7 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     /// # Errors
     /// `debt` below 0, infinite or NaN, or more than there is room for; nothing is changed.
     pub fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
-        self.debt -= owed(-self.debt, debt)?;
+        self.debt -= owed(debt, |change| (change - self.debt).finite())?;
         Ok(())
     }
 

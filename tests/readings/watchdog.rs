@@ -6,7 +6,7 @@ use lyapunov::{
     stabilizers::{NoStabilizer, StabilizerExt, Watchdog, WatchdogTimes},
 };
 
-use crate::support::{PERIOD, reading, readings};
+use super::support::{PERIOD, reading, readings};
 
 fn popc() -> Popc<f64> {
     Lolc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, PERIOD).expect("a limit"))

@@ -14,7 +14,7 @@ use lyapunov::{
     },
 };
 
-use crate::support::{PERIOD, limit, popc, tick};
+use super::support::{PERIOD, limit, popc, tick};
 
 /// Reset, credit and debt are what they are called, in every account and through every adaptor.
 fn keeps_account(mut account: impl Account<f64>) {

@@ -53,6 +53,12 @@ fn any(member: impl Copied + 'static) -> Any {
     Any(Box::new(member))
 }
 
+/// The member, once it has gone on from each of its memories as if nothing had been.
+fn resumed<S: Copied + Snapshot + Clone + 'static>(member: S) -> Any {
+    laws::snapshot(&member, samples()).expect(std::any::type_name::<S>());
+    any(member)
+}
+
 /// The members of the enumeration, by their names, in its order.
 fn named() -> Vec<(Member<f64>, Manner)> {
     let popc: Popc<f64> = popc();
@@ -99,21 +105,21 @@ fn others() -> Vec<(&'static str, Any, Manner)> {
     let tight = EnergyBounding::<f64, _>::tight(0.5, PERIOD).expect("a damping");
     let bounded_tank = Tank::new(PortEnergy, store).expect("a tank");
     vec![
-        ("sampled", any(popc.sampled()), Damps),
-        ("compensated", any(popc.summed_in::<Compensated<f64>>()), Damps),
-        ("windowed", any(popc.summed_in::<WindowedCredit<f64, Plain<f64>, 8>>()), Damps),
-        ("contact reset", any(popc.reset_at(surface)), Damps),
-        ("two-port", any(side), Damps),
-        ("two-port, sampled", any(side.sampled()), Damps),
-        ("plausible", any(popc.plausible(plausible).expect("limits")), Damps),
-        ("watched", any(popc.watched(times).expect("times")), Answers),
-        ("late", any(bounding.delayed::<4>(3).expect("a pipe")), Reduces),
-        ("memory-based", any(memory), Reduces),
-        ("path memory", any(path), Reduces),
-        ("tank", any(bounded_tank), Damps),
-        ("drift", any(drift), Answers),
-        ("two-layer", any(master), Answers),
-        ("tight", any(tight), Answers),
+        ("sampled", resumed(popc.sampled()), Damps),
+        ("compensated", resumed(popc.summed_in::<Compensated<f64>>()), Damps),
+        ("windowed", resumed(popc.summed_in::<WindowedCredit<f64, Plain<f64>, 8>>()), Damps),
+        ("contact reset", resumed(popc.reset_at(surface)), Damps),
+        ("two-port", resumed(side), Damps),
+        ("two-port, sampled", resumed(side.sampled()), Damps),
+        ("plausible", resumed(popc.plausible(plausible).expect("limits")), Damps),
+        ("watched", resumed(popc.watched(times).expect("times")), Answers),
+        ("late", resumed(bounding.delayed::<4>(3).expect("a pipe")), Reduces),
+        ("memory-based", resumed(memory), Reduces),
+        ("path memory", resumed(path), Reduces),
+        ("tank", resumed(bounded_tank), Damps),
+        ("drift", resumed(drift), Answers),
+        ("two-layer", resumed(master), Answers),
+        ("tight", resumed(tight), Answers),
     ]
 }
 

@@ -4,10 +4,16 @@
 //! every vector cost minutes of building after each changed line.
 
 mod controller;
+mod drift;
 mod every_member;
+mod inertia;
 mod limits;
 mod messages;
+mod plausible;
+mod retuned;
 mod room;
+mod shaped;
+mod watched;
 
 #[path = "../family/account.rs"]
 mod account;
@@ -31,6 +37,8 @@ mod input_to_state;
 mod least_norm;
 #[path = "../family/memory_based.rs"]
 mod memory_based;
+#[path = "../family/neutral.rs"]
+mod neutral;
 #[path = "../family/path_memory.rs"]
 mod path_memory;
 #[path = "../family/reference.rs"]

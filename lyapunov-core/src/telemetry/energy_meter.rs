@@ -150,7 +150,7 @@ impl<T: Scalar> Default for EnergyMeter<T> {
 /// Adds `term` where the sum has room for it.
 #[inline]
 fn book<T: Scalar>(sum: &mut Compensated<T>, term: T) {
-    let fits = (sum.value() + term).finite();
+    let fits = sum.fits(term);
     sum.add(T::choose(fits, term, T::of(0.0)));
 }
 

@@ -94,6 +94,51 @@ fn raising_and_lowering_keep_or_forget_what_was_gathered() {
     assert_eq!(sum.value(), small);
 }
 
+/// At the end of the range, in quarters of its last place, where the largest number is 2⁵⁵ − 4: what fits leaves a finite
+/// sum, which is the nearest number if it `keeps_digits`; what leaves half of the range fits, and what leaves more than half
+/// a place beyond it does not.
+fn has_room<A: Accumulator<f64>>(keeps_digits: bool) {
+    let (quarter, largest) = (2f64.powi(969), (1i64 << 55) - 4);
+    let (mut dice, mut refused) = (Dice(19), 0);
+    for _ in 0..300 {
+        let (mut sum, mut exact) = (A::zero(), 0i64);
+        for _ in 0..40 {
+            let small = dice.whole(3);
+            let term = match dice.bits() % 6 {
+                0 => largest,
+                1 => -largest,
+                // To the end, and back to a little below or above 0.
+                2 => (largest - exact) & !3,
+                3 => (small - exact).clamp(-largest, largest),
+                _ => small,
+            };
+            // Terms are numbers of 53 digits.
+            let term = term as f64 as i64;
+            let (fits, after) = (sum.fits(term as f64 * quarter), exact + term);
+            let told = format!("{term} after {exact}, {sum:?}");
+            assert!(fits || after.abs() > 1 << 54, "no room for {told}");
+            assert!(!fits || after.abs() <= largest + 2, "room for {told}");
+            refused += i32::from(!fits);
+            if fits {
+                sum.add(term as f64 * quarter);
+                assert!(sum.value().is_finite(), "{told}");
+                let nearest = after as f64 * quarter;
+                assert!(!keeps_digits || sum.value() == nearest, "{nearest:e} for {told}");
+                exact = if keeps_digits { after } else { (sum.value() / quarter) as i64 };
+            }
+        }
+    }
+    assert!(refused > 300, "{refused} only");
+}
+
+#[test]
+fn what_fits_leaves_a_finite_sum() {
+    has_room::<Plain<f64>>(false);
+    has_room::<Compensated<f64>>(true);
+    // Here a double-double has the digits of its first part only.
+    has_room::<Wide<f64>>(false);
+}
+
 fn is_stored<A: Accumulator<f64> + Snapshot + PartialEq>() {
     let mut sum = A::zero();
     [3.0, 2f64.powi(-60)].into_iter().for_each(|term| sum.add(term));

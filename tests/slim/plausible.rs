@@ -1,0 +1,67 @@
+//! Bounds of plausible samples, from both sides.
+
+use lyapunov::{
+    Dissipation, Lolc, PortSample, Stabilizer,
+    stabilizers::{Plausibility, StabilizerExt},
+};
+
+use crate::support::{limit, popc};
+
+/// Each bound by itself: what is as large as it passes, and the next number beyond is refused, of either sign.
+#[test]
+fn a_bound_is_the_largest_that_passes() {
+    // Of these the reach of a tick is 2 m and the most work 32 J.
+    let (speed, effort, period) = (8.0, 16.0, 0.25);
+    let member = popc::<f64>().plausible(Plausibility { speed, effort }).expect("limits");
+    let rest = PortSample::starting(period, 0.0, 0.0);
+    let with = |field: &str, size: f64| {
+        let (mut sample, mut effort) = (rest, 0.0);
+        *match field {
+            "velocity" => &mut sample.velocity,
+            "displacement" => &mut sample.displacement,
+            "applied" => &mut sample.applied,
+            "work" => &mut sample.work,
+            _ => &mut effort,
+        } = size;
+        (sample, effort)
+    };
+    let bounds = [
+        ("velocity", 8.0),
+        ("displacement", 2.0),
+        ("applied", 16.0),
+        ("work", 32.0),
+        ("asked", 16.0),
+    ];
+    for (field, most) in bounds {
+        for size in [most, -most, f64::next_up(most), -f64::next_up(most)] {
+            let (sample, asked) = with(field, size);
+            let told = member.clone().stabilize(&sample, asked);
+            let passes = size.abs() == most;
+            let booked = if passes { sample.work } else { 0.0 };
+            assert_eq!(
+                (told.accepted, told.observed_energy),
+                (passes, booked),
+                "{field} of {size}"
+            );
+        }
+    }
+}
+
+/// An account of the velocity alone is not blinded either, by whatever field is absurd.
+#[test]
+fn an_account_that_sees_no_work_books_nothing_absurd() {
+    let burns = Lolc::new(Dissipation::of(1.0).expect("a damping"), limit());
+    let mut member = burns.plausible(Plausibility { speed: 8.0, effort: 16.0 }).expect("limits");
+    let moving = PortSample::starting(0.25, 0.0, 2.0);
+    let absurd = [
+        PortSample { velocity: 9.0, ..moving },
+        PortSample { displacement: 3.0, ..moving },
+        PortSample { applied: 17.0, ..moving },
+    ];
+    for sample in absurd {
+        let told = member.stabilize(&sample, 0.0);
+        assert_eq!((told.accepted, told.observed_energy), (false, 0.0), "{sample:?}");
+    }
+    // 1 N·s/m at 2 m/s for a quarter of a second.
+    assert_eq!(member.stabilize(&moving, 0.0).observed_energy, 1.0);
+}

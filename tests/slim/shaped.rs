@@ -1,0 +1,35 @@
+//! What a shaped correction holds back, told as shortfall.
+
+use approx::assert_relative_eq;
+use lyapunov::{PortSample, Stabilizer, stabilizers::StabilizerExt};
+
+use crate::support::{PERIOD, popc};
+
+/// What is told after a debt of 40 µJ at 0.1 m/s, µJ, while the ledger is told of no work: each tick owes what it owed.
+fn held_back(mut member: impl Stabilizer<f64>) -> Vec<f64> {
+    let mut told = Vec::new();
+    for work in [-4e-5, 0.0, 0.0, 0.0] {
+        let moving = PortSample { work, ..PortSample::starting(PERIOD, 0.0, 0.1) };
+        let correction = member.stabilize(&moving, 3.0);
+        assert!(correction.accepted && correction.alpha > 0.0, "{correction:?}");
+        told.push(1e6 * correction.shortfall);
+    }
+    told
+}
+
+/// Of an eighth seven eighths are left; with 100 N/s a tick more gives 10 µJ more; a rise over four ticks gives quarters.
+#[test]
+fn what_is_not_served_yet_is_told() {
+    let spread = popc().spread_over(8).expect("ticks");
+    let limited = popc().rate_limited(100.0).expect("a rate");
+    let rising = popc().rising_over(4).expect("ticks");
+    for (found, expected) in [
+        (held_back(spread), [35.0, 35.0, 35.0, 35.0]),
+        (held_back(limited), [30.0, 20.0, 10.0, 0.0]),
+        (held_back(rising), [30.0, 20.0, 10.0, 0.0]),
+    ] {
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert_relative_eq!(found, expected, epsilon = 1e-9);
+        }
+    }
+}
