@@ -10,7 +10,7 @@ use crate::simulate::tick::{OperatorMotion, Tick};
 /// Records of what the parts of a loop do and a rollout's tick cannot see from outside.
 #[derive(Debug)]
 pub(crate) struct Seen<V: Signal> {
-    stabilizer: Rc<Cell<Sight<V>>>,
+    stabilizer: Rc<Sight<V>>,
     /// The environment's own effort, where a port around it changes that.
     environment: Rc<Cell<Option<V>>>,
     command: Rc<Cell<V>>,
@@ -20,21 +20,23 @@ pub(crate) struct Seen<V: Signal> {
 /// Record of the operator's motion, written by the body.
 pub(crate) type Operator<V> = Rc<Cell<Option<OperatorMotion<V>>>>;
 
-/// The sample and effort that a stabilizer got, and its correction.
-#[derive(Clone, Copy, Debug)]
+/// The sample and effort that a stabilizer got, and its correction; each in a cell, as it comes.
+#[derive(Debug)]
 struct Sight<V: Signal> {
-    measured: PortSample<V>,
-    environment: V,
-    correction: Correction<V>,
+    measured: Cell<PortSample<V>>,
+    environment: Cell<V>,
+    correction: Cell<Correction<V>>,
 }
 
 impl<V: Signal> Default for Seen<V> {
     fn default() -> Self {
         let (zero, none) = (V::zero(), V::Scalar::of(0.0));
-        let measured = PortSample::starting(none, zero, zero);
-        let sight = Sight { measured, environment: zero, correction: Correction::none(zero) };
         Self {
-            stabilizer: Rc::new(Cell::new(sight)),
+            stabilizer: Rc::new(Sight {
+                measured: Cell::new(PortSample::starting(none, zero, zero)),
+                environment: Cell::new(zero),
+                correction: Cell::new(Correction::none(zero)),
+            }),
             environment: Rc::new(Cell::new(None)),
             command: Rc::new(Cell::new(zero)),
             operator: Operator::default(),
@@ -46,8 +48,9 @@ impl<V: Signal> Seen<V> {
     /// The tick whose sample the port just answered, before the plant moves on.
     #[inline(always)]
     pub(crate) fn tick(&self, time: f64, truth: PortSample<V>, applied: V) -> Tick<V> {
-        let Sight { measured, environment, correction } = self.stabilizer.get();
-        let environment = self.environment.get().unwrap_or(environment);
+        let Sight { measured, environment, correction } = &*self.stabilizer;
+        let (measured, correction) = (measured.get(), correction.get());
+        let environment = self.environment.get().unwrap_or_else(|| environment.get());
         let (command, operator) = (self.command.get(), self.operator.get());
         Tick { time, truth, measured, environment, correction, command, applied, operator }
     }
@@ -71,14 +74,16 @@ impl<V: Signal> Seen<V> {
 /// Stabilizer that is recorded where it stands.
 pub(super) struct Recorded<S, V: Signal> {
     stabilizer: S,
-    seen: Rc<Cell<Sight<V>>>,
+    seen: Rc<Sight<V>>,
 }
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Recorded<S, V> {
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let correction = self.stabilizer.stabilize(sample, effort);
-        self.seen.set(Sight { measured: *sample, environment: effort, correction });
+        self.seen.measured.set(*sample);
+        self.seen.environment.set(effort);
+        self.seen.correction.set(correction);
         correction
     }
 }
