@@ -67,19 +67,20 @@ impl Balance {
     pub(super) fn off(&self, told: Told) -> f64 {
         let stored = told.sum.max(0.0);
         let owed = Double::from(told.dissipated).plus(told.shortfall.into());
-        self.share(self.supplied.plus(owed).plus((-stored).into()).value().abs())
+        let error = self.supplied.plus(owed).plus((-stored).into()).value().abs();
+        self.share(error, self.served.max(told.dissipated))
     }
 
     /// Observed energy reported beyond what was supplied, as the same share: the only error of a ledger that may forget
     /// credit.
     pub(super) fn over(&self, told: Told) -> f64 {
-        self.share((-self.supplied.plus((-told.sum).into()).value()).max(0.0))
+        self.share((-self.supplied.plus((-told.sum).into()).value()).max(0.0), self.served)
     }
 
-    /// Share of the allowed error that `error` is.
-    fn share(&self, error: f64) -> f64 {
+    /// Share of the allowed error that `error` is, where corrections are to dissipate `served` joules.
+    fn share(&self, error: f64, served: f64) -> f64 {
         let sums = self.absolute + self.ticks * self.largest;
-        let rounding = 4.0 * self.unit * sums + 16.0 * self.unit * self.served;
+        let rounding = 4.0 * self.unit * sums + 16.0 * self.unit * served;
         // Works below the smallest normal number are rounded by up to half of the smallest positive one.
         error / (rounding + 4.0 * self.ticks * self.tiny * self.unit)
     }
