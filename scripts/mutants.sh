@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Whether the tests notice a changed line: cargo-mutants over steps, ledgers and accumulators.
-# `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files of one package; `mutants.sh sample N` every
-# N-th one; `mutants.sh named` the changes that went unnoticed once. Survivors are listed.
+# `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files of one package; `mutants.sh sample N [FILE...]`
+# every N-th one; `mutants.sh named` the changes that went unnoticed once. Survivors are listed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -96,8 +96,14 @@ all)
     mutate steps "${steps[@]}"
     ;;
 sample)
-    mutate core-sample --shard "0/$2" "${core[@]}"
-    mutate steps-sample --shard "0/$2" "${steps[@]}"
+    shard=0/$2
+    shift 2
+    if [ $# -gt 0 ]; then
+        mutate sample --shard "$shard" "$@"
+    else
+        mutate core-sample --shard "$shard" "${core[@]}"
+        mutate steps-sample --shard "$shard" "${steps[@]}"
+    fi
     ;;
 named) named ;;
 *) mutate "$(basename "$1" .rs)" "$@" ;;

@@ -201,11 +201,13 @@ fn lanes_are_scalar_runs() {
     let mut lanes = Lolc::new((PortEnergy, damper), most);
     let damper = Dissipation::of(DAMPING).expect("a damping");
     let mut alone = [Lolc::new((PortEnergy, damper), limit()); 4];
-    let streams: Vec<Vec<_>> = (1..5).map(|seed| ticks::<f64>(seed).collect()).collect();
+    let mut streams = [1, 2, 3, 4].map(ticks::<f64>);
     for tick in 0..1500 {
         // Another place for the spoilt sample in each lane.
-        let told: Vec<_> =
-            (0..4).map(|lane| spoilt(tick + 5 * lane, streams[lane][tick])).collect();
+        let lanes_told = streams.iter_mut().enumerate();
+        let told: Vec<_> = lanes_told
+            .map(|(lane, stream)| spoilt(tick + 5 * lane, stream.next().expect("a tick")))
+            .collect();
         let of = |field: &dyn Fn(&PortSample<f64>) -> f64| {
             WideF64x4::from_lanes(|lane| field(&told[lane].0))
         };

@@ -49,8 +49,11 @@ fn a_spoilt_tick_is_no_drift() {
     ] {
         let mut port = lagging();
         port.receive(1.0);
-        port.stabilize(&load(0.0), 0.1);
+        // A tenth of it comes back.
+        port.set_speed(0.01).expect("a speed");
+        port.stabilize(&load(-1.0), 0.0);
         let (drift, energy) = (port.drift(), port.observed_energy());
+        assert!(drift < -8e-5 && energy > 0.9, "{port:?}");
         let told = port.stabilize(&sample, asked);
         assert_eq!((told.accepted, told.effort), (false, 0.0), "{told:?}");
         assert_eq!((port.drift(), port.observed_energy()), (drift, energy), "{sample:?}");

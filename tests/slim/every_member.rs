@@ -55,7 +55,8 @@ fn any(member: impl Copied + 'static) -> Any {
 
 /// The member, once it has gone on from each of its memories as if nothing had been.
 fn resumed<S: Copied + Snapshot + Clone + 'static>(member: S) -> Any {
-    laws::snapshot(&member, samples()).expect(std::any::type_name::<S>());
+    let resumed = laws::snapshot(&member, samples());
+    resumed.unwrap_or_else(|broken| panic!("{}: {broken}", std::any::type_name::<S>()));
     any(member)
 }
 
@@ -171,7 +172,8 @@ fn every_name_is_that_of_its_member() {
 #[test]
 fn a_memory_is_that_of_its_member() {
     for (own, (member, _)) in named().into_iter().enumerate() {
-        laws::snapshot(&member, samples()).expect(member.name());
+        let resumed = laws::snapshot(&member, samples());
+        resumed.unwrap_or_else(|broken| panic!("{}: {broken}", member.name()));
         for (place, (other, _)) in named().into_iter().enumerate() {
             let restored = other.restored(member.state());
             assert_eq!(restored.is_ok(), own == place, "{} in {}", member.name(), other.name());

@@ -32,9 +32,10 @@ fn told(inertia: Matrix2<f64>) -> JointInertia<f64, 2> {
 fn a_correction_is_a_share_of_what_takes_most() {
     let mut dice = Dice::of(31);
     let start = InertiaLimit::new(unlimited(), told(mechanism(&mut dice)), CAP, PERIOD);
+    let start = start.expect("a limit");
     let (mut cut, mut whole) = (0, 0);
     for (late, cap) in [(0, CAP), (2, CAP * (2.0 - 3f64.sqrt()))] {
-        let mut member = start.clone().expect("a limit").delayed(late);
+        let mut member = start.delayed(late);
         for _ in 0..500 {
             let (inertia, velocity) = (mechanism(&mut dice), dice.signal::<Vector2<f64>>(1.0));
             member.tell(told(inertia));

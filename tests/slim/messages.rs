@@ -1,7 +1,7 @@
 //! Messages that come late, twice, spoilt or never, against a plain sum of the packets up to the newest that came.
 
 use lyapunov::{
-    DampingLimit, PortSample, Stabilizer,
+    DampingLimit, PortSample, Snapshot, Stabilizer,
     stabilizers::{Sharing, TwoLayer, TwoPortSide},
 };
 
@@ -46,4 +46,31 @@ fn an_old_message_takes_nothing_back_and_brings_nothing_twice() {
     holds_what_came(&side.sampled(), |side, told| side.receive(told));
     let end = TwoLayer::slave(Sharing { start: 0.0, share: 0.0 }).expect("an end");
     holds_what_came(&end, |end, told| end.receive(told));
+}
+
+/// A restored end knows what has come and what of it is booked: of a sum that was told before it takes the rest.
+fn remembers_what_came<S: Stabilizer<f64> + Snapshot + Clone>(
+    fresh: &S,
+    receive: impl Fn(&mut S, f64),
+) {
+    let rest = PortSample::starting(PERIOD, 0.0, 0.0);
+    let (mut booked, mut waiting) = (fresh.clone(), fresh.clone());
+    receive(&mut booked, 5.0);
+    receive(&mut waiting, 5.0);
+    booked.stabilize(&rest, 0.0);
+    for (end, held) in [(booked, 5.0), (waiting, 5.0)] {
+        let mut again = fresh.clone().restored(end.state()).expect("a memory");
+        receive(&mut again, 3.0);
+        assert_eq!(again.stabilize(&rest, 0.0).observed_energy, held, "an old message");
+        receive(&mut again, 7.0);
+        assert_eq!(again.stabilize(&rest, 0.0).observed_energy, held + 2.0);
+    }
+}
+
+#[test]
+fn a_restored_end_counts_nothing_twice() {
+    let side = TwoPortSide::<f64>::new(DampingLimit::at(8.0).expect("a limit"));
+    remembers_what_came(&side, |side, told| side.receive(told));
+    let end = TwoLayer::slave(Sharing { start: 0.0, share: 0.0 }).expect("an end");
+    remembers_what_came(&end, |end, told| end.receive(told));
 }

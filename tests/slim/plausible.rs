@@ -65,3 +65,17 @@ fn an_account_that_sees_no_work_books_nothing_absurd() {
     // 1 N·s/m at 2 m/s for a quarter of a second.
     assert_eq!(member.stabilize(&moving, 0.0).observed_energy, 1.0);
 }
+
+/// Limits that are changed hold from the next tick on; refused ones change nothing.
+#[test]
+fn changed_limits_hold() {
+    let limits = |speed| Plausibility { speed, effort: 16.0 };
+    let mut member = popc::<f64>().plausible(limits(8.0)).expect("limits");
+    let moving = PortSample::starting(0.25, 0.0, 6.0);
+    for (speed, passes) in [(5.0, false), (7.0, true)] {
+        member.set_plausibility(limits(speed)).expect("limits");
+        assert!(member.set_plausibility(limits(f64::NAN)).is_err());
+        assert_eq!(member.plausibility(), limits(speed));
+        assert_eq!(member.stabilize(&moving, 0.0).accepted, passes, "{speed} m/s");
+    }
+}

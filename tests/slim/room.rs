@@ -1,7 +1,7 @@
 //! Sums that have no room for more, against whole numbers: at a bound, and at the end of the scalar's range.
 
 use lyapunov::{
-    DampingLimit, PortSample, Stabilizer,
+    DampingLimit, PortSample, Snapshot, Stabilizer,
     candidates::InContact,
     stabilizers::{Account, LimitCredit, Sharing, StabilizerExt, TwoLayer, TwoPortSide},
 };
@@ -72,4 +72,19 @@ fn what_is_spoilt_or_has_no_room_is_not_told() {
     // The first fits, as 6 J are no digit of it, and the sum with a second one is infinite.
     assert_eq!(absorbs(unit, 1.0, unit), unit);
     assert_eq!(absorbs(unit, 1.0, unit), unit);
+}
+
+/// A contact that was stored goes on: its credit is not forfeited as that of another contact would be.
+#[test]
+fn a_stored_contact_keeps_its_credit() {
+    let fresh = popc::<f64>().reset_at(InContact { position: 0.0 });
+    let inside = |work: f64| PortSample { work, ..PortSample::starting(PERIOD, 1.0, 0.0) };
+    let mut running = fresh;
+    assert_eq!(running.stabilize(&inside(5.0), 0.0).observed_energy, 5.0);
+    let mut resumed = fresh.restored(running.state()).expect("a memory");
+    assert_eq!(resumed.stabilize(&inside(1.0), 0.0).observed_energy, 6.0);
+    // One that begins forfeits what there is.
+    let (account, _) = running.state();
+    let mut begins = fresh.restored((account, 0.0)).expect("a memory");
+    assert_eq!(begins.stabilize(&inside(1.0), 0.0).observed_energy, 1.0);
 }

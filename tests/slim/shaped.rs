@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use lyapunov::{PortSample, Stabilizer, stabilizers::StabilizerExt};
 
-use crate::support::{PERIOD, popc};
+use crate::support::{Dice, PERIOD, popc};
 
 /// What is told after a debt of 40 µJ at 0.1 m/s, µJ, while the ledger is told of no work: each tick owes what it owed.
 fn held_back(mut member: impl Stabilizer<f64>) -> Vec<f64> {
@@ -31,5 +31,27 @@ fn what_is_not_served_yet_is_told() {
         for (found, expected) in found.into_iter().zip(expected) {
             assert_relative_eq!(found, expected, epsilon = 1e-9);
         }
+    }
+}
+
+/// A rejected tick gets no force, though at this speed no share of a correction is let through.
+#[test]
+fn a_rejected_tick_gets_no_force() {
+    let mut slow = popc().above_velocity(1.0).expect("a speed");
+    let owes = PortSample { work: -4e-5, ..PortSample::starting(PERIOD, 0.0, 0.1) };
+    let told = slow.stabilize(&PortSample { period: 0.0, ..owes }, 3.0);
+    assert_eq!((told.accepted, told.effort, told.alpha), (false, 0.0, 0.0));
+    assert_eq!((told.observed_energy, told.shortfall), (-4e-5, 4e-5));
+}
+
+/// What is let through whole has the bits of the correction, whatever the numbers.
+#[test]
+fn a_whole_share_changes_no_bit() {
+    let (mut plain, mut dice) = (popc(), Dice::of(9));
+    let mut whole = popc().above_velocity(0.0).expect("a speed");
+    for _ in 0..500 {
+        let [work, velocity, effort] = [1e-4, 0.3, 5.0].map(|size| dice.within(size));
+        let sample = PortSample { work, ..PortSample::starting(PERIOD, 0.0, velocity) };
+        assert_eq!(whole.stabilize(&sample, effort), plain.stabilize(&sample, effort));
     }
 }

@@ -38,9 +38,14 @@ fn sides<T: Real>(members: &mut Vec<Member>) {
         run: |bytes| {
             let mut side = TwoPortSide::<T>::new(limit(bytes)?);
             side.receive(bytes.number());
-            let member: DriftCompensated<_, T> = DriftCompensated::new(side, bytes.parameter())?;
-            let member = member.meeting(bytes.parameter());
-            stored::<T, _>(bytes, Rejects, member)
+            let (speed, impedance) = (bytes.parameter(), bytes.parameter());
+            if bytes.byte() % 2 == 0 {
+                let member: DriftCompensated<_, T> = DriftCompensated::new(side, speed)?;
+                stored::<T, _>(bytes, Rejects, member.meeting(impedance))
+            } else {
+                let member: DriftCompensated<_, T> = DriftCompensated::new(side.sampled(), speed)?;
+                stored::<T, _>(bytes, Rejects, member.meeting(impedance))
+            }
         },
     });
 }

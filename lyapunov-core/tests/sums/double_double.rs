@@ -71,6 +71,10 @@ fn long_numbers_keep_their_digits() {
     // Nearly all of it cancels: what is left is exact.
     let (a, b) = ((1i128 << 104) + 1, (1i128 << 104) - 1);
     assert_eq!((whole(a) - whole(b), whole(b) - whole(a)), (of(2.0), of(-2.0)));
+    // Where the first parts cancel, the sum is that of the second ones, in two parts again.
+    let (more, less) = (2f64.powi(-55), -2f64.powi(-115));
+    let left = DoubleDouble::from((1.0, more)) + DoubleDouble::from((-1.0, less));
+    assert_eq!(left, DoubleDouble::from((more, less)));
 }
 
 /// A quotient of whole numbers times 2^100, and a root of one times 2^100, against integer division and Newton's root.
