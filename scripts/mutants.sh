@@ -99,10 +99,10 @@ sample)
     shard=0/$2
     shift 2
     if [ $# -gt 0 ]; then
-        mutate sample --shard "$shard" "$@"
+        mutate sample --sharding round-robin --shard "$shard" "$@"
     else
-        mutate core-sample --shard "$shard" "${core[@]}"
-        mutate steps-sample --shard "$shard" "${steps[@]}"
+        mutate core-sample --sharding round-robin --shard "$shard" "${core[@]}"
+        mutate steps-sample --sharding round-robin --shard "$shard" "${steps[@]}"
     fi
     ;;
 named) named ;;
