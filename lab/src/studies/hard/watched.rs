@@ -256,7 +256,7 @@ impl Meter {
     /// The laws of an effort that was accepted.
     fn judge_effort(&mut self, sight: &Sight) {
         let (tick, epsilon) = (self.tick, self.epsilon);
-        let least = self.least_damping(sight.alpha);
+        let (least, smallest) = (self.least_damping(sight.alpha), self.least());
         for axis in 0..sight.velocity.count {
             let [out, given, v] =
                 [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
@@ -273,7 +273,7 @@ impl Meter {
             }
             let most = self.terms.limit * v.abs() * (1.0 + 8.0 * epsilon);
             require(Law::Opposes, (out - given) * v >= -rounding * v.abs());
-            require(Law::WithinLimit, (out - given).abs() <= most + rounding);
+            require(Law::WithinLimit, (out - given).abs() <= most + rounding + smallest);
             require(Law::Injects, (out - given).abs() >= least * v.abs() - rounding - self.tiny);
             let correction = (out - given).abs() / most.max(rounding).max(self.tiny);
             self.tally.correction = larger(self.tally.correction, correction);
@@ -289,7 +289,12 @@ impl Meter {
 
     /// The least damping that rounds to `alpha`, N s/m: below the smallest normal number a step is as large as there.
     fn least_damping(&self, alpha: f64) -> f64 {
-        alpha * (1.0 - 16.0 * self.epsilon) - 4.0 * self.tiny * self.epsilon
+        alpha * (1.0 - 16.0 * self.epsilon) - 4.0 * self.least()
+    }
+
+    /// The smallest number above 0 of the scalar, by less than which any product is rounded.
+    fn least(&self) -> f64 {
+        self.tiny * self.epsilon
     }
 
     /// The same laws of a correction as a vector.
@@ -300,7 +305,8 @@ impl Meter {
         let most = self.terms.limit * velocity.length() * (1.0 + 8.0 * self.epsilon);
         let opposes = added.inner(velocity) >= -rounding * velocity.length();
         self.tally.require(Law::Opposes, opposes, self.tick);
-        self.tally.require(Law::WithinLimit, added.length() <= most + rounding, self.tick);
+        let within = added.length() <= most + rounding + 2.0 * self.least();
+        self.tally.require(Law::WithinLimit, within, self.tick);
         let told = self.least_damping(sight.alpha) * velocity.inner(velocity);
         let injects = added.inner(velocity) >= told - rounding * velocity.length() - self.tiny;
         self.tally.require(Law::Injects, injects, self.tick);
