@@ -125,7 +125,7 @@ fn a_table_that_was_cut_off_is_resumed() {
 #[test]
 fn an_interrupted_map_keeps_what_is_done() {
     let place = Place::new();
-    place.put_scene("scene.toml", "duration = 10.0", "duration = 30.0");
+    place.put_scene("scene.toml", "duration = 10.0", "duration = 3.0");
     let large = [
         "map",
         "scene.toml",

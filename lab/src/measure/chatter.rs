@@ -174,14 +174,21 @@ impl<V: Signal> Chatter<V> {
         pairs
     }
 
+    #[inline(always)]
     fn close(&mut self) {
         let pairs = self.pairs();
         let part =
             |of: V, beside: V| of.scale(V::Scalar::of(0.5)) - beside.scale(V::Scalar::of(0.25));
-        for lines in self.lines.windows(3) {
-            let [below, line, above] = [0, 1, 2].map(|which| lines[which].segment(&pairs));
-            let (re, im) = (part(line.0, below.0 + above.0), part(line.1, below.1 + above.1));
-            self.power += V::Scalar::of(lines[1].weight) * (re.inner(re) + im.inner(im));
+        let none = (V::zero(), V::zero());
+        let (mut below, mut line, mut weight) = (none, none, 0.0);
+        for (index, next) in self.lines.iter().enumerate() {
+            let above = next.segment(&pairs);
+            // The first of all stands between no two.
+            if index > 1 {
+                let (re, im) = (part(line.0, below.0 + above.0), part(line.1, below.1 + above.1));
+                self.power += V::Scalar::of(weight) * (re.inner(re) + im.inner(im));
+            }
+            (below, line, weight) = (line, above, next.weight);
         }
         self.segments += 1;
     }
