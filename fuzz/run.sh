@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The fuzz targets (docs/fuzzing.md).
 #   run.sh                         each over random bytes that are the same every time; not the readers, which the tests of cli have
-#   run.sh ticks COUNT             the steps alone, over so many ticks in all: 1000000000 takes half an hour of a core
+#   run.sh ticks COUNT             the steps alone, over so many ticks in all: 1000000000 takes five minutes of a core
 #   run.sh TARGET MINUTES [JOBS]   steps, poses or readers, under libFuzzer with the address sanitizer; a case that it finds is
 #                                  left in artifacts/TARGET
 #   run.sh coverage                which regions of the steps the random test of `cargo test` executes

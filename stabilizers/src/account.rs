@@ -50,7 +50,7 @@ pub trait Account<T: Scalar> {
     fn owe(&mut self, debt: T) -> Result<(), ParameterError>;
 }
 
-/// What may be granted to a sum that has room for a change where it `fits`.
+/// Credit of `energy` joules as the change of a sum, which has room for a change where it `fits`.
 pub(crate) fn granted<T: Scalar>(
     energy: T,
     fits: impl FnOnce(T) -> T::Mask,
@@ -59,7 +59,7 @@ pub(crate) fn granted<T: Scalar>(
     with_room("granted credit", energy, fits)
 }
 
-/// What may be taken from such a sum, below 0.
+/// Debt of `debt` joules as the change of such a sum, below 0.
 pub(crate) fn owed<T: Scalar>(
     debt: T,
     fits: impl FnOnce(T) -> T::Mask,
@@ -68,6 +68,7 @@ pub(crate) fn owed<T: Scalar>(
     with_room("debt carried over", -debt, fits)
 }
 
+/// The `change`, if there is room for it.
 fn with_room<T: Scalar>(
     name: &'static str,
     change: T,

@@ -80,7 +80,7 @@ impl Stabilizer<Vector2<f64>> for Pushes {
     }
 }
 
-/// What does not brake is no damping, and stays as it is.
+/// A correction that does not brake is no damping, and stays as it is.
 #[test]
 fn a_push_is_not_limited() {
     let inertia = told(Matrix2::new(0.5, 0.1, 0.1, 0.1));

@@ -80,7 +80,7 @@ impl Snapshot for Viscous {
     }
 }
 
-/// What stands behind a coupling is told the velocity of its displacement; its memory and its correction are the port's.
+/// A port behind a coupling is told the velocity of its displacement; its memory and its correction are those of the whole.
 #[test]
 fn what_stands_behind_a_coupling_is_reached() {
     let coupling = VirtualCoupling { stiffness: 1600.0, damping: 0.2, drag: 10.0 };

@@ -52,7 +52,7 @@ fn credit_above_a_bound_is_forfeited() {
     forfeits(popc::<f64>().reset_at(InContact { position: 0.0 }));
 }
 
-/// What is told to the other side: no work of a spoilt tick, and no sum that left the range.
+/// The sum for the other side has no work of a spoilt tick, and does not leave the range.
 #[test]
 fn what_is_spoilt_or_has_no_room_is_not_told() {
     let mut side = TwoPortSide::<f64>::new(DampingLimit::at(8.0).expect("a limit"));

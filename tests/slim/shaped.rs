@@ -1,11 +1,11 @@
-//! What a shaped correction holds back, told as shortfall.
+//! Shortfall of shaped corrections: the part that is held back.
 
 use approx::assert_relative_eq;
 use lyapunov::{PortSample, Stabilizer, stabilizers::StabilizerExt};
 
 use crate::support::{Dice, PERIOD, popc};
 
-/// What is told after a debt of 40 µJ at 0.1 m/s, µJ, while the ledger is told of no work: each tick owes what it owed.
+/// Shortfalls after a debt of 40 µJ at 0.1 m/s, in µJ, while the ledger is told of no work: each tick owes what it owed.
 fn held_back(mut member: impl Stabilizer<f64>) -> Vec<f64> {
     let mut told = Vec::new();
     for work in [-4e-5, 0.0, 0.0, 0.0] {
@@ -44,7 +44,7 @@ fn a_rejected_tick_gets_no_force() {
     assert_eq!((told.observed_energy, told.shortfall), (-4e-5, 4e-5));
 }
 
-/// What is let through whole has the bits of the correction, whatever the numbers.
+/// A correction that is let through whole keeps its bits, whatever the numbers.
 #[test]
 fn a_whole_share_changes_no_bit() {
     let (mut plain, mut dice) = (popc(), Dice::of(9));

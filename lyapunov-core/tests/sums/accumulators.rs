@@ -139,6 +139,23 @@ fn what_fits_leaves_a_finite_sum() {
     has_room::<Wide<f64>>(false);
 }
 
+/// Steps that `f32` does not see beside its largest number: a wide sum sees them, and has no room for them.
+#[test]
+fn a_wide_sum_stays_in_the_range_that_it_is_told_in() {
+    let mut sum = Wide::<f32>::zero();
+    sum.add(-f32::MAX);
+    let mut refused = 0;
+    for _ in 0..10 {
+        let fits = sum.fits(-5e30);
+        sum.add(if fits { -5e30 } else { 0.0 });
+        refused += i32::from(!fits);
+        assert_eq!(sum.value(), -f32::MAX);
+    }
+    // A whole step of the largest number is 2e31; half of one and more would be told as infinite.
+    assert!(refused >= 8, "{refused} only");
+    assert!(sum.fits(f32::MAX));
+}
+
 fn is_stored<A: Accumulator<f64> + Snapshot + PartialEq>() {
     let mut sum = A::zero();
     [3.0, 2f64.powi(-60)].into_iter().for_each(|term| sum.add(term));

@@ -256,7 +256,7 @@ impl Meter {
     /// The laws of an effort that was accepted.
     fn judge_effort(&mut self, sight: &Sight) {
         let (tick, epsilon) = (self.tick, self.epsilon);
-        let (least, smallest) = (self.least_damping(sight.alpha), self.least());
+        let (least, smallest) = (self.least_damping(sight.alpha), self.smallest());
         for axis in 0..sight.velocity.count {
             let [out, given, v] =
                 [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
@@ -287,13 +287,14 @@ impl Meter {
         self.tally.require(Law::Served, served >= -rounding || !in_range, tick);
     }
 
-    /// The least damping that rounds to `alpha`, N s/m: below the smallest normal number a step is as large as there.
+    /// The least damping that a told one of `alpha` N·s/m may stand for, as it is rounded: by a share of itself, and below
+    /// the smallest normal number by as much as there.
     fn least_damping(&self, alpha: f64) -> f64 {
-        alpha * (1.0 - 16.0 * self.epsilon) - 4.0 * self.least()
+        alpha * (1.0 - 16.0 * self.epsilon) - 4.0 * self.smallest()
     }
 
-    /// The smallest number above 0 of the scalar, by less than which any product is rounded.
-    fn least(&self) -> f64 {
+    /// The smallest number of the scalar above 0: the step from number to number below the smallest normal one.
+    fn smallest(&self) -> f64 {
         self.tiny * self.epsilon
     }
 
@@ -305,7 +306,7 @@ impl Meter {
         let most = self.terms.limit * velocity.length() * (1.0 + 8.0 * self.epsilon);
         let opposes = added.inner(velocity) >= -rounding * velocity.length();
         self.tally.require(Law::Opposes, opposes, self.tick);
-        let within = added.length() <= most + rounding + 2.0 * self.least();
+        let within = added.length() <= most + rounding + 2.0 * self.smallest();
         self.tally.require(Law::WithinLimit, within, self.tick);
         let told = self.least_damping(sight.alpha) * velocity.inner(velocity);
         let injects = added.inner(velocity) >= told - rounding * velocity.length() - self.tiny;
