@@ -37,6 +37,17 @@ fn the_worked_rows() {
     rows::<AutoF64x4>();
 }
 
+/// A damper of 3 N·s/m that moves by 2 mm in 4 ms dissipates 3 N·s/m · (2 mm)² / 4 ms = 3 mJ, whatever `c1` is.
+#[test]
+fn what_the_damper_of_the_device_dissipates_is_counted() {
+    let (damping, period, displacement) = (3.0, 0.004, 0.002);
+    let mut bounding = of(500.0, 250.0).on_damping(damping, period).expect("a damping");
+    let velocity = displacement / period;
+    let tick = HeldTick { period, position: 0.0, velocity, displacement, applied: 0.0 };
+    let told = bounding.stabilize(&tick.sample(), 0.0).observed_energy;
+    assert!((told - 0.003).abs() < 1e-15, "{told}");
+}
+
 /// The published form, with its divisions.
 fn published(c1: f64, c2: f64, last: f64, asked: f64, moved: f64) -> f64 {
     if moved == 0.0 {

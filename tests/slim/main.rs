@@ -4,6 +4,7 @@
 //! every vector cost minutes of building after each changed line.
 
 mod controller;
+mod directed;
 mod drift;
 mod every_member;
 mod inertia;
