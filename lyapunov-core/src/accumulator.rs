@@ -29,13 +29,18 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
     /// The sum, rounded to the port's scalar.
     fn value(&self) -> T;
 
-    /// Whether `term` can be added and leaves the sum finite, lane by lane.
+    /// `yes` where `mask` is true, `no` elsewhere, lane by lane.
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self;
+
+    /// Adds `term` in the lanes whose sum stays finite; tells which.
     #[inline(always)]
-    fn fits(&self, term: T) -> T::Mask {
+    fn book(&mut self, term: T) -> T::Mask {
         // Added and looked at: at the end of the range a sum of several parts may have no room for what its value has.
         let mut sum = *self;
         sum.add(term);
-        sum.value().finite()
+        let booked = sum.value().finite();
+        *self = Self::choose(booked, sum, *self);
+        booked
     }
 }
 
@@ -73,6 +78,11 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
     #[inline(always)]
     fn value(&self) -> T {
         self.sum
+    }
+
+    #[inline(always)]
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self { sum: T::choose(mask, yes.sum, no.sum) }
     }
 }
 
@@ -136,21 +146,24 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
         raised.add(-most);
         let partly = value.below(most);
         let owed = value.below(T::zero());
-        let pick = |raised, kept| T::choose(owed, T::choose(partly, raised, T::zero()), kept);
-        *self = Self { sum: pick(raised.sum, self.sum), error: pick(raised.error, self.error) };
+        *self = Self::choose(owed, Self::choose(partly, raised, Self::zero()), *self);
         value
     }
 
     #[inline(always)]
     fn lower(&mut self, most: T) {
         let above = self.value().above(most);
-        let sum = T::choose(above, most, self.sum);
-        *self = Self { sum, error: T::choose(above, T::zero(), self.error) };
+        *self = Self::choose(above, Self { sum: most, error: T::zero() }, *self);
     }
 
     #[inline(always)]
     fn value(&self) -> T {
         self.sum + self.error
+    }
+
+    #[inline(always)]
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self { sum: T::choose(mask, yes.sum, no.sum), error: T::choose(mask, yes.error, no.error) }
     }
 }
 
@@ -170,7 +183,7 @@ impl<T: Scalar> Snapshot for Compensated<T> {
 /// A scalar that has a wider one.
 pub trait Widen: Scalar {
     /// The wider scalar, with as many lanes.
-    type Wide: Scalar;
+    type Wide: Scalar<Mask = Self::Mask>;
 
     /// The same number, wider.
     fn widen(self) -> Self::Wide;
@@ -237,6 +250,11 @@ impl<T: Widen> Accumulator<T> for Wide<T> {
     #[inline(always)]
     fn value(&self) -> T {
         T::narrow(self.sum.value())
+    }
+
+    #[inline(always)]
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self { sum: Accumulator::<T::Wide>::choose(mask, yes.sum, no.sum) }
     }
 }
 

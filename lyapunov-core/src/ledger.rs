@@ -108,13 +108,13 @@ impl<W: Work, A> Ledger<W, A> {
         self.sum.clear();
     }
 
-    /// Adds `energy` joules of credit.
+    /// Adds `energy` joules of credit, or below 0 of debt, in the lanes whose sum stays finite; tells which.
     #[inline]
-    pub fn credit<T: Scalar>(&mut self, energy: T)
+    pub fn credit<T: Scalar>(&mut self, energy: T) -> T::Mask
     where
         A: Accumulator<T>,
     {
-        self.sum.add(energy);
+        self.sum.book(energy)
     }
 
     /// Forfeits the stored credit above `most` joules.
@@ -142,13 +142,13 @@ impl<W: Work, A> Ledger<W, A> {
         W::book(&mut self.sum, decrease, most)
     }
 
-    /// Whether `decrease` can be booked and leaves the sum finite, lane by lane.
+    /// `yes` where `mask` is true, `no` elsewhere, lane by lane.
     #[inline(always)]
-    pub fn fits<T: Scalar>(&self, decrease: T) -> T::Mask
+    pub fn choose<T: Scalar>(mask: T::Mask, yes: Self, no: Self) -> Self
     where
         A: Accumulator<T>,
     {
-        self.sum.fits(decrease)
+        Self::in_sum(A::choose(mask, yes.sum, no.sum))
     }
 }
 

@@ -56,10 +56,9 @@ impl<C, W: Work, A> Observer<C, W, A> {
         C: LyapunovCandidate<V>,
         A: Accumulator<V::Scalar>,
     {
-        let zero = V::Scalar::of(0.0);
         let decrease = self.decrease(sample, effort);
-        let fits = self.ledger.fits(decrease);
-        self.ledger.book(V::Scalar::choose(fits, decrease, zero), zero)
+        self.ledger.credit(decrease);
+        self.ledger.energy()
     }
 }
 

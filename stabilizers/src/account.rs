@@ -50,34 +50,37 @@ pub trait Account<T: Scalar> {
     fn owe(&mut self, debt: T) -> Result<(), ParameterError>;
 }
 
-/// Credit of `energy` joules as the change of a sum, which has room for a change where it `fits`.
-pub(crate) fn granted<T: Scalar>(
+/// `sum` with `energy` joules of credit more.
+pub(crate) fn granted<T: Scalar, A: Copy>(
+    sum: A,
     energy: T,
-    fits: impl FnOnce(T) -> T::Mask,
-) -> Result<T, ParameterError> {
+    book: impl FnOnce(&mut A, T) -> T::Mask,
+) -> Result<A, ParameterError> {
     let energy = Requirement::NonNegative.check("granted credit", energy)?;
-    with_room("granted credit", energy, fits)
+    changed("granted credit", sum, energy, book)
 }
 
-/// Debt of `debt` joules as the change of such a sum, below 0.
-pub(crate) fn owed<T: Scalar>(
+/// `sum` with as many joules of `debt` more.
+pub(crate) fn owed<T: Scalar, A: Copy>(
+    sum: A,
     debt: T,
-    fits: impl FnOnce(T) -> T::Mask,
-) -> Result<T, ParameterError> {
+    book: impl FnOnce(&mut A, T) -> T::Mask,
+) -> Result<A, ParameterError> {
     let debt = Requirement::NonNegative.check("debt carried over", debt)?;
-    with_room("debt carried over", -debt, fits)
+    changed("debt carried over", sum, -debt, book)
 }
 
-/// The `change`, if there is room for it.
-fn with_room<T: Scalar>(
+fn changed<T: Scalar, A>(
     name: &'static str,
+    mut sum: A,
     change: T,
-    fits: impl FnOnce(T) -> T::Mask,
-) -> Result<T, ParameterError> {
+    book: impl FnOnce(&mut A, T) -> T::Mask,
+) -> Result<A, ParameterError> {
     // A change without room counts as one that is infinite.
     let endless = T::of(f64::INFINITY);
-    Requirement::InRange.check(name, T::choose(fits(change), change, endless))?;
-    Ok(change)
+    let booked = book(&mut sum, change);
+    Requirement::InRange.check(name, T::choose(booked, change, endless))?;
+    Ok(sum)
 }
 
 impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {
@@ -90,12 +93,12 @@ impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {
     }
 
     fn grant(&mut self, energy: T) -> Result<(), ParameterError> {
-        self.credit(granted(energy, |change| self.fits(change))?);
+        *self = granted(*self, energy, Self::credit)?;
         Ok(())
     }
 
     fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
-        self.credit(owed(debt, |change| self.fits(change))?);
+        *self = owed(*self, debt, Self::credit)?;
         Ok(())
     }
 }
@@ -138,12 +141,12 @@ macro_rules! account_in_sum {
             }
 
             fn grant(&mut self, energy: $scalar) -> Result<(), lyapunov_core::ParameterError> {
-                self.$field.add($crate::account::granted(energy, |change| self.$field.fits(change))?);
+                self.$field = $crate::account::granted(self.$field, energy, Accumulator::book)?;
                 Ok(())
             }
 
             fn owe(&mut self, debt: $scalar) -> Result<(), lyapunov_core::ParameterError> {
-                self.$field.add($crate::account::owed(debt, |change| self.$field.fits(change))?);
+                self.$field = $crate::account::owed(self.$field, debt, Accumulator::book)?;
                 Ok(())
             }
         }

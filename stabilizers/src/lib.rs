@@ -18,7 +18,6 @@
 extern crate alloc;
 
 mod account;
-mod booked;
 mod coupled_port;
 mod credit;
 mod damping_limit;

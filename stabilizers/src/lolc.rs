@@ -178,7 +178,7 @@ where
         if correction.accepted.all() {
             correction
         } else {
-            self.reject(before, terms, correction.accepted)
+            self.reject(before, terms.decrease, correction)
         }
     }
 }
@@ -215,7 +215,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         Correction { effort, observed_energy: sum, alpha, shortfall, accepted }
     }
 
-    /// The step for a rejected sample, without the quantities that are not sound.
+    /// The step for a rejected sample: what was absorbed is booked if it is sound, and nothing is corrected.
     ///
     /// It is a path of its own, because within the step it would cost five more selects on every tick for a rare case;
     /// it is inlined, because a call would keep the sum and the correction in memory instead of registers.
@@ -223,18 +223,21 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     fn reject<V: Signal<Scalar = T>>(
         &mut self,
         before: Ledger<W, A>,
-        terms: Terms<V>,
-        accepted: T::Mask,
+        decrease: T,
+        correction: Correction<V>,
     ) -> Correction<V> {
-        let booked = accepted | before.fits(terms.decrease);
-        let sound = Terms {
-            decrease: T::choose(booked, terms.decrease, T::zero()),
-            square: T::choose(accepted, terms.square, T::zero()),
-            velocity: V::choose(accepted, terms.velocity, V::zero()),
-            effort: V::choose(accepted, terms.effort, V::zero()),
-        };
-        self.observer.ledger = before;
-        Correction { accepted, ..self.correct(sound) }
+        let (accepted, zero) = (correction.accepted, T::zero());
+        let mut booked = before;
+        booked.credit(decrease);
+        self.observer.ledger = Ledger::choose::<T>(accepted, self.observer.ledger, booked);
+        let sum = booked.energy();
+        Correction {
+            effort: V::choose(accepted, correction.effort, V::zero()),
+            observed_energy: T::choose(accepted, correction.observed_energy, sum),
+            alpha: T::choose(accepted, correction.alpha, zero),
+            shortfall: T::choose(accepted, correction.shortfall, zero - sum.smaller(zero)),
+            accepted,
+        }
     }
 }
 

@@ -7,7 +7,6 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
-use crate::booked::book;
 use nalgebra::SVector;
 
 /// Memory-based passivation, after Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014): the force of the
@@ -89,7 +88,7 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
         let zero = T::of(0.0);
         let inside = sample.position - self.surface;
         let sound = sample.sound() & inside.finite();
-        let booked = book(&mut self.energy, sample.work);
+        let booked = self.energy.book(sample.work);
         let moved = T::choose(sound, sample.displacement, zero);
         let now = T::choose(sound, inside, self.last.unwrap_or(zero));
         // Where it was, and not where the displacement leads back to: an edge of a cell is met to the bit.

@@ -179,7 +179,11 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     /// # Errors
     /// `debt` below 0, infinite or NaN, or more than there is room for; nothing is changed.
     pub fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
-        self.debt -= owed(debt, |change| (change - self.debt).finite())?;
+        let book = |owed: &mut T, change: T| {
+            *owed -= change;
+            owed.finite()
+        };
+        self.debt = owed(self.debt, debt, book)?;
         Ok(())
     }
 

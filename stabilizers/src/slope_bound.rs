@@ -7,7 +7,6 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
-use crate::booked::book;
 
 /// A bound of the slope, derived here: the force `F` follows the effort `f`, axis by axis, with changes in the sector
 /// of a largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
@@ -115,7 +114,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let zero = V::Scalar::of(0.0);
         let work = sample.work.sum();
-        let booked = book(&mut self.energy, work);
+        let booked = self.energy.book(work);
         let sum = self.energy.value();
 
         let change = effort - self.asked.unwrap_or(effort);

@@ -6,7 +6,6 @@ use lyapunov_core::{
 };
 
 use crate::account::account_in_sum;
-use crate::booked::book;
 use crate::{LimitCredit, StabilizerExt};
 
 /// Energy that an end of a two-layer teleoperator keeps and shares.
@@ -116,7 +115,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
         let came = self.received - self.booked;
-        let booked = book(&mut self.tank, came + sample.work.sum());
+        let booked = self.tank.book(came + sample.work.sum());
         self.booked = V::Scalar::choose(booked, self.received, self.booked);
         // What the sum of the packets rounds to leaves the tank, or rounding would make energy on every tick.
         let sent = self.sent + self.share * self.tank.value().larger(zero);

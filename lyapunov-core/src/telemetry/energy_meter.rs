@@ -120,8 +120,8 @@ impl<T: Scalar> EnergyMeter<T> {
         self.active.add(T::choose(correction.alpha.above(zero), one, zero));
         self.rejected.add(T::choose(correction.accepted, zero, one));
         let square = sample.velocity.inner(sample.velocity) * sample.period.larger(zero);
-        book(&mut self.injected, correction.alpha * square);
-        book(&mut self.absorbed, sample.work.sum());
+        self.injected.book(correction.alpha * square);
+        self.absorbed.book(sample.work.sum());
     }
 
     /// The energies up to now.
@@ -145,13 +145,6 @@ impl<T: Scalar> Default for EnergyMeter<T> {
     fn default() -> Self {
         Self::new()
     }
-}
-
-/// Adds `term` where the sum has room for it.
-#[inline]
-fn book<T: Scalar>(sum: &mut Compensated<T>, term: T) {
-    let fits = sum.fits(term);
-    sum.add(T::choose(fits, term, T::of(0.0)));
 }
 
 impl<T: Scalar> Snapshot for EnergyMeter<T> {

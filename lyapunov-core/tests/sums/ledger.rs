@@ -48,7 +48,7 @@ fn credit_is_added_limited_and_forfeited() {
     let mut sum = Plain::zero_with(5.0);
     let mut ledger = Ledger::<Held, _>::in_sum(sum);
     assert_eq!(ledger.energy::<f64>(), 5.0);
-    ledger.credit(2.0);
+    assert!(ledger.credit(2.0));
     assert_eq!(ledger.energy::<f64>(), 7.0);
     ledger.limit_credit(6.0);
     assert_eq!(ledger.energy::<f64>(), 6.0);
@@ -59,9 +59,13 @@ fn credit_is_added_limited_and_forfeited() {
     assert!(ledger.restored(f64::NAN).is_err());
     sum = Plain::zero_with(f64::MAX);
     let full = Ledger::<Held, _>::in_sum(sum);
-    assert!(full.fits(-f64::MAX) && full.fits(1.0) && !full.fits(f64::MAX));
-    assert!(Ledger::<Held, _>::in_sum(Plain::zero_with(1e200)).fits(1e200));
-    assert!(!ledger.fits(f64::NAN));
+    for (energy, after) in
+        [(-f64::MAX, Some(0.0)), (1.0, Some(f64::MAX)), (f64::MAX, None), (f64::NAN, None)]
+    {
+        let mut changed = full;
+        assert_eq!(changed.credit(energy), after.is_some());
+        assert_eq!(changed.energy::<f64>(), after.unwrap_or(f64::MAX));
+    }
 }
 
 trait Of {

@@ -45,9 +45,9 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
         Ok(Self { sum: A::zero(), slots, slot: 0, ticks, left: ticks })
     }
 
-    /// Drops the expired credit, and enters `term` in the current slot.
+    /// Drops the expired credit, and turns to the slot of this tick.
     #[inline]
-    fn enter(&mut self, term: T) {
+    fn expire(&mut self) {
         let zero = T::of(0.0);
         if self.left == 0 {
             self.left = self.ticks;
@@ -59,8 +59,13 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
         self.left -= 1;
         let window = self.slots.iter().fold(zero, |sum, slot| sum + *slot);
         self.sum.lower(window);
+    }
+
+    /// Enters `term` in the slot of this tick.
+    #[inline]
+    fn enter(&mut self, term: T) {
         if let Some(slot) = self.slots.get_mut(self.slot) {
-            *slot = (*slot + term.larger(zero)).smaller(T::largest());
+            *slot = (*slot + term.larger(T::of(0.0))).smaller(T::largest());
         }
     }
 }
@@ -73,12 +78,14 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCr
 
     #[inline]
     fn add(&mut self, term: T) {
+        self.expire();
         self.enter(term);
         self.sum.add(term);
     }
 
     #[inline]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
+        self.expire();
         self.enter(term);
         self.sum.add_and_raise(term, most)
     }
@@ -96,6 +103,25 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCr
     #[inline]
     fn value(&self) -> T {
         self.sum.value()
+    }
+
+    // Lanes share their slot: both are of the same tick.
+    #[inline]
+    fn choose(mask: T::Mask, mut yes: Self, no: Self) -> Self {
+        yes.sum = A::choose(mask, yes.sum, no.sum);
+        for (slot, other) in yes.slots.iter_mut().zip(no.slots) {
+            *slot = T::choose(mask, *slot, other);
+        }
+        yes
+    }
+
+    #[inline]
+    fn book(&mut self, term: T) -> T::Mask {
+        // A tick whose term is left out is a tick as well: credit expires.
+        self.expire();
+        let booked = self.sum.book(term);
+        self.enter(T::choose(booked, term, T::of(0.0)));
+        booked
     }
 }
 

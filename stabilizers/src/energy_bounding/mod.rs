@@ -9,7 +9,6 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
-use crate::booked::book;
 use band::{Band, Published, Tight};
 
 /// The energy-bounding algorithm, after Kim and Ryu (International Journal of Robotics Research 29(6), 2010): the force
@@ -158,7 +157,7 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         // What the damper dissipates over an unknown time is unknown, and with it the tick's change.
         let unknown = V::Scalar::of(f64::NAN);
         let change = V::Scalar::choose(sample.timed(), sample.work.sum() + burnt, unknown);
-        let booked = book(&mut self.energy, change);
+        let booked = self.energy.book(change);
         let sum = self.energy.value();
 
         let band = &self.band;

@@ -18,7 +18,6 @@ use lyapunov_core::{
 use nalgebra::{SMatrix, SVector};
 
 use crate::account::account_in_sum;
-use crate::booked::book;
 use crate::{LimitCredit, StabilizerExt};
 use pipe::Pipe;
 use reset::Reset;
@@ -166,7 +165,7 @@ where
         // What the damper dissipates over an unknown time is unknown, and with it the tick's change.
         let unknown = V::Scalar::of(f64::NAN);
         let change = V::Scalar::choose(sample.timed(), sample.work.sum() + burnt, unknown);
-        let booked = book(&mut self.energy, change);
+        let booked = self.energy.book(change);
         let sum = self.energy.value();
         let free = (sum - committed).larger(zero);
         // A little less than the bound: with the rounding of what follows the account stays at or above 0.
