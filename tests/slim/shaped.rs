@@ -1,7 +1,9 @@
 //! Shortfall of shaped corrections: the part that is held back.
 
 use approx::assert_relative_eq;
-use lyapunov::{PortSample, Stabilizer, stabilizers::StabilizerExt};
+use lyapunov::{
+    DampingLimit, Popc, PortEnergy, PortSample, Snapshot, Stabilizer, stabilizers::StabilizerExt,
+};
 
 use crate::support::{Dice, PERIOD, popc};
 
@@ -32,6 +34,19 @@ fn what_is_not_served_yet_is_told() {
             assert_relative_eq!(found, expected, epsilon = 1e-9);
         }
     }
+}
+
+/// A correction of the largest number beside an effort of minus half of it and a little rounds so that the force given, less
+/// the effort asked, is infinite. What is remembered of it is a number, so that it can be stored.
+#[test]
+fn a_correction_at_the_end_of_the_range_is_remembered() {
+    let limit = DampingLimit::at(f64::INFINITY).expect("a limit");
+    let mut limited = Popc::new(PortEnergy, limit).rate_limited(f64::INFINITY).expect("a rate");
+    let asked = -(2f64.powi(52) + 3.0) * 2f64.powi(970);
+    let owes = PortSample { work: -f64::MAX / 4.0, ..PortSample::starting(0.25, 0.0, 1.0) };
+    let told = limited.stabilize(&owes, asked);
+    assert!(told.accepted && told.alpha == f64::MAX && (told.effort - asked).is_infinite());
+    assert!(limited.restored(limited.state()).is_ok(), "{limited:?}");
 }
 
 /// A rejected tick gets no force, though at this speed no share of a correction is let through.

@@ -58,7 +58,8 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for RateLimit<S, V> {
             wanted
         });
         let correction = portion(correction, sample, effort, share);
-        self.last = added(&correction, effort);
+        // At the end of the range the difference of two finite efforts may round to an infinity.
+        self.last = added(&correction, effort).limited(V::Scalar::largest());
         correction
     }
 }
