@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The proofs about the steps (docs/proofs.md): `run.sh` asks what takes less than two minutes, `run.sh all` everything.
+# The proofs about the steps (docs/proofs.md): `run.sh` asks about one axis, `run.sh all` everything.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=${1:-quick}

@@ -103,7 +103,7 @@ impl Writer {
 
     /// The queries of one member: over every format at once, bit by bit where that is needed, and about paths.
     fn member(&mut self, member: &Member, axes: u32, seen: &[Seen]) -> io::Result<()> {
-        for property in PROPERTIES.iter().filter(|it| asked_of(it, member)) {
+        for property in PROPERTIES.iter().filter(|it| asked_of(it, member, axes)) {
             if property.name != "served-least" {
                 let query = query(property, seen, vec![]);
                 self.query(member.name, property.name, Format::Every, axes, "unsat", &query)?;
@@ -142,26 +142,23 @@ fn bit_by_bit(property: &Property, member: &Member, axes: u32) -> &'static [Form
         ("popc", "within" | "line") => &[],
         ("popc", _) if axes == 1 => &[F16, F32, F64],
         (_, "served-least") if axes == 1 => &[F16, F32, F64],
-        ("popc-compensated", "finite" | "memory") | ("popc-rate-limited", "memory")
-            if axes == 1 =>
-        {
-            &[F16]
-        }
         _ => &[],
     }
 }
 
 /// Whether `property` is one of `member`.
-fn asked_of(property: &Property, member: &Member) -> bool {
+fn asked_of(property: &Property, member: &Member, axes: u32) -> bool {
     match property.of {
-        // Without a stabilizer everything passes; a watchdog holds a force where a sample is rejected.
+        // Without a stabilizer everything passes. Where a sample is rejected a watchdog holds a force, and of several
+        // stabilizers those whose axes are sound give theirs.
         Kind::Any => !matches!(
             (member.name, property.name),
-            ("none", "untimed" | "finite")
-                | ("popc-watched", "rejected")
-                // Absurd numbers make a slot of the window, or the last depth, infinite (docs/proofs.md).
-                | ("popc-windowed" | "memory-based", "memory")
+            ("none", "untimed" | "finite") | ("popc-watched" | "per-axis", "rejected")
         ),
+        // Along a slanted direction a correction opposes the motion as a whole.
+        Kind::Shapes if (member.name, property.name, axes) == ("popc-directed", "opposes", 3) => {
+            false
+        }
         Kind::Shapes => matches!(member.kind, Kind::Shapes | Kind::Damps | Kind::Serves),
         Kind::Damps => matches!(member.kind, Kind::Damps | Kind::Serves),
         kind => kind == member.kind,
