@@ -122,6 +122,24 @@ fn a_damping_is_judged_to_the_digits_that_it_has() {
     assert_eq!(breach(&parsed(text)).unwrap(), None);
 }
 
+// A loop whose displacements have squares beyond the range of `f32`, from ticks of 21 s, while its energies are far within.
+#[test]
+fn a_loop_whose_squares_leave_the_range_is_judged_by_its_forces_only() {
+    let text = "
+        duration = 2000.0
+        integrator = 'semi-implicit-euler'
+        servo_rate = 0.0479
+        steps_per_tick = 3
+        device.mass = 5e-5
+        effects.filter.cutoff = 0.001
+        environment.wall.stiffness = 3e-9
+        initial.velocity = 0.002
+        link = { damping = 1.57e-5, stiffness = 8e-9 }
+        operator = { damping = 1e-9, mass = 9e-4 }
+        stabilizer.force-bounding = {}";
+    assert_eq!(breach(&parsed(text)).unwrap(), None);
+}
+
 #[test]
 fn a_sweep_of_faults_finds_who_does_not_recover() {
     let scene = shipped("press-1khz");

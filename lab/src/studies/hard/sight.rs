@@ -116,13 +116,13 @@ impl Sight {
         self.velocity.inner(&self.velocity) * self.period
     }
 
-    /// The largest energy, power or square that a stabilizer may make of it, in J, W, m²/s² or N²: what the range of
+    /// The largest energy, power or square that a stabilizer may make of it, in J, W, m²/s², m² or N²: what the range of
     /// its scalar has to hold.
     pub(super) fn energy(&self) -> f64 {
         let power = self.effort.inner(&self.velocity).abs();
-        let forces = self.effort.inner(&self.effort);
-        let squares = self.velocity.inner(&self.velocity).max(self.square()).max(forces);
-        squares.max(power).max(power * self.period)
+        let square = |axes: &Axes| axes.inner(axes);
+        let squares = [&self.velocity, &self.displacement, &self.effort].map(square);
+        [self.square(), power, power * self.period].into_iter().chain(squares).fold(0.0, f64::max)
     }
 
     /// Energy that the correction is to dissipate, J: nothing without damping, whatever the velocity.
