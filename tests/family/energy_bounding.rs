@@ -85,6 +85,27 @@ fn in_forces_it_is_the_published_form() {
     }
 }
 
+/// From 1 N a way in of 1 mm may change the force by `c2 Δx − F − √((c2 Δx)² + F²)` at the least, which is −1.781 N for
+/// 250 N/m; for a late force by no less than `−c1 Δx` of 500 N/m.
+#[test]
+fn a_late_force_falls_no_faster_than_it_rises() {
+    let fallen = |mut bounding: EnergyBounding<f64>| {
+        let mut told = [0.0; 2];
+        for (told, (displacement, asked)) in told.iter_mut().zip([(2e-3, 9.0), (1e-3, -9.0)]) {
+            let velocity = displacement / PERIOD;
+            let tick =
+                HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
+            *told = bounding.stabilize(&tick.sample(), asked).effort;
+        }
+        assert_eq!(told[0], 1.0);
+        told[1] - told[0]
+    };
+    let at_once = 0.25 - 1.0 - (0.25f64.powi(2) + 1.0).sqrt();
+    assert!((fallen(of(500.0, 250.0)) - at_once).abs() < 1e-12);
+    assert!((fallen(of(500.0, 250.0).late(0)) - at_once).abs() < 1e-12);
+    assert!((fallen(of(500.0, 250.0).late(1)) + 0.5).abs() < 1e-12);
+}
+
 /// Port and damper together give nothing, whatever the motion, and the sum that is told is theirs.
 #[test]
 fn an_adversary_gets_nothing() {

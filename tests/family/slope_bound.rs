@@ -106,6 +106,20 @@ fn a_stiffer_wall_is_a_spring_of_the_slope() {
     }
 }
 
+/// What holds in one direction holds in the other, also for what is held back and let through again.
+#[test]
+fn a_mirrored_motion_has_mirrored_forces() {
+    let creeping = || bound().creeping(20.0).expect("a rate");
+    let mut dice = Dice::of(12);
+    let ticks: Vec<_> = (0..5000).map(|_| (dice.within(2e-3), dice.within(4.0))).collect();
+    let mirrored: Vec<_> = ticks.iter().map(|(position, effort)| (-position, -effort)).collect();
+    let forces = run(creeping(), &ticks);
+    assert_ne!(forces, run(bound(), &ticks), "something is held back and let through");
+    for (force, mirrored) in forces.iter().zip(run(creeping(), &mirrored)) {
+        assert_eq!(-force, mirrored);
+    }
+}
+
 /// Ten times the slope, on both sides and on one.
 #[test]
 fn a_wall_ten_times_too_stiff() {
