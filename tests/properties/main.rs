@@ -27,6 +27,7 @@ mod low_pass;
 mod measurement_lanes;
 mod noise;
 mod per_axis;
+mod per_axis_laws;
 mod perturbed;
 mod popc;
 mod propagation;

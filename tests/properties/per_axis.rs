@@ -1,8 +1,7 @@
 //! Sum for each axis: its reports, and every axis as it would be alone.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::lanes::{AutoF32x8, AutoF64x4};
-use lyapunov::laws::{self, Samples};
+use lyapunov::laws::Samples;
 use lyapunov::{
     DampingLimit, HeldTick, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
     stabilizers::PerAxis,
@@ -18,24 +17,6 @@ fn popc<T: Scalar>(cap: f64) -> Popc<T> {
 
 fn samples<V: Signal>(seed: u64) -> Samples<V> {
     Samples::new(V::Scalar::of(1e-3)).seeded(seed)
-}
-
-fn keeps_the_laws<T: Scalar, const N: usize>(cap: f64) {
-    for seed in 0..10 {
-        let each = PerAxis::of([popc::<T>(cap); N]);
-        laws::stabilizer(&each, samples::<SVector<T, N>>(seed)).expect("lawful");
-    }
-}
-
-#[test]
-fn a_sum_per_axis_keeps_the_laws() {
-    for cap in [0.0, 0.5, f64::INFINITY] {
-        keeps_the_laws::<f64, 1>(cap);
-        keeps_the_laws::<f64, 3>(cap);
-        keeps_the_laws::<f32, 6>(cap);
-        keeps_the_laws::<AutoF64x4, 3>(cap);
-        keeps_the_laws::<AutoF32x8, 2>(cap);
-    }
 }
 
 fn alone(sample: &PortSample<SVector<f64, 3>>, axis: usize) -> PortSample<f64> {

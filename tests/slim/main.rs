@@ -42,6 +42,8 @@ mod memory_based;
 mod neutral;
 #[path = "../family/path_memory.rs"]
 mod path_memory;
+#[path = "../properties/per_axis.rs"]
+mod per_axis;
 #[path = "../family/reference.rs"]
 mod reference;
 #[path = "../family/shaping.rs"]
