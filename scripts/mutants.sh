@@ -67,7 +67,7 @@ named() {
         fi
         cp "$root/$file" "$file"
     done <<'CHANGES'
-lyapunov-core/src/accumulator.rs|error: T::choose(above, T::zero(), self.error)|error: self.error
+lyapunov-core/src/accumulator.rs|Self { sum: most, error: T::zero() }|Self { sum: most, error: self.error }
 lyapunov-core/src/accumulator.rs|self.sum.smaller(most)|self.sum.larger(most)
 lyapunov-core/src/accumulator.rs|.smaller(T::zero()).larger(sum)|.larger(sum)
 lyapunov-core/src/accumulator.rs|raised.add(-most)|raised.add(most)
@@ -78,7 +78,8 @@ stabilizers/src/lolc.rs|T::of(1.0) - T::of(4.0) * T::epsilon()|T::of(1.0)
 stabilizers/src/lolc.rs|.smaller(limit).larger(zero)|.larger(zero)
 stabilizers/src/lolc.rs|.smaller(limit).larger(zero)|.smaller(limit)
 stabilizers/src/lolc.rs|self.observer.ledger.credit(Requirement::NonNegative.check("budget", energy)?)|Requirement::NonNegative.check("budget", energy)?
-stabilizers/src/lolc.rs|self.observer.ledger = before;|
+stabilizers/src/lolc.rs|booked.credit(decrease);|
+stabilizers/src/lolc.rs|Ledger::choose::<T>(accepted, self.observer.ledger, booked)|self.observer.ledger
 stabilizers/src/two_port/one_way.rs|energy.above(self.received) & energy.finite()|energy.finite()
 stabilizers/src/two_layer.rs|energy.above(self.received) & energy.finite()|energy.finite()
 stabilizers/src/credit/windowed_credit.rs|self.sum.lower(window);|
