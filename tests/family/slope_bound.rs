@@ -106,7 +106,7 @@ fn a_stiffer_wall_is_a_spring_of_the_slope() {
     }
 }
 
-/// What holds in one direction holds in the other, also for what is held back and let through again.
+/// Symmetry of the two directions, also of what is held back and let through again.
 #[test]
 fn a_mirrored_motion_has_mirrored_forces() {
     let creeping = || bound().creeping(20.0).expect("a rate");
