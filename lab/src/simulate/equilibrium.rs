@@ -44,7 +44,10 @@ pub(crate) fn never_rests(scene: &Draft) -> bool {
 /// The places where a solid and the hand hold each other. A hand that pulls to `free` rests on a side
 /// of the solid with the normal `n`, below which `free` lies `d` deep, at `free + n d K / (k + K)`, if that side is the
 /// nearest there too.
-fn in_space<const N: usize>(scene: &Draft) -> Option<Vec<SVector<f64, N>>> {
+fn in_space<const N: usize>(scene: &Draft) -> Option<Vec<SVector<f64, N>>>
+where
+    SVector<f64, N>: Space<Scalar = f64>,
+{
     let (pull, rest) = (last_pull(scene), last_rest(scene)?);
     if pull <= 0.0 {
         return None;

@@ -238,7 +238,11 @@ on_a_line! {
     F64x8, in F64x8, by std::convert::identity;
 }
 
-impl<T: Metered<Meter = f64> + Scalar<Mask = bool>, const N: usize> Metered for SVector<T, N> {
+impl<T: Metered<Meter = f64> + Scalar<Mask = bool>, const N: usize> Metered for SVector<T, N>
+where
+    Self: Space<Scalar = T>,
+    SVector<f64, N>: Space<Scalar = f64>,
+{
     type Meter = SVector<f64, N>;
     type Surface = Box<dyn Solid<SVector<f64, N>>>;
 

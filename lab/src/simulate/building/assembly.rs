@@ -79,7 +79,7 @@ impl<V: Space> Assembly<V> {
         seen: Option<&Seen<V>>,
         fitted: Fitted<V>,
     ) -> Result<Self, ParameterError> {
-        let port = answering(scenes, seen, fitted)?;
+        let port = V::port(scenes, fitted, seen)?;
         let unseen = Operator::default();
         let plant = V::plant(scenes, seen.map_or(&unseen, |seen| &seen.operator))?;
         Ok(Self { plant, port })
@@ -94,14 +94,14 @@ impl<V: Space> Assembly<V> {
             + 'static,
     {
         let scenes = Scenes::of(scene);
-        let port = answering(scenes, None, Fitted::of(scene)?)?;
+        let port = V::port(scenes, Fitted::of(scene)?, None)?;
         let plant = stepped(scenes, &Operator::default(), integrator, 1)?;
         Ok(Self { plant, port })
     }
 }
 
 /// The port that answers the motion, stabilizer and effects included.
-fn answering<V: Space>(
+pub(super) fn answering<V: Space>(
     scenes: Scenes<'_>,
     seen: Option<&Seen<V>>,
     fitted: Fitted<V>,

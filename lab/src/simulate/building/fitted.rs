@@ -48,23 +48,33 @@ impl<V: Space> Fitted<V> {
         tables: &[Option<scene::Stabilizer>],
     ) -> Result<Self, ParameterError> {
         let tables: Option<Vec<scene::Stabilizer>> = tables.iter().copied().collect();
+        V::fitted(tables.as_deref(), scenes)
+    }
+
+    /// The same, with the members of the family from `member`.
+    pub(super) fn asked(
+        tables: Option<&[scene::Stabilizer]>,
+        scenes: Scenes<'_>,
+        member: impl FnOnce(Scenes<'_>, &[scene::Stabilizer]) -> Result<Self, ParameterError>,
+    ) -> Result<Self, ParameterError> {
         let Some(tables) = tables else {
             let nothing = AnyStabilizer::fused(NoStabilizer, scenes.instructions());
             return Ok(Self::Behind(nothing));
         };
-        match Lanes::new(&tables).common() {
+        match Lanes::new(tables).common() {
             scene::Stabilizer::Popc(_) | scene::Stabilizer::Lolc(_) => {
-                AnyStabilizer::observing(scenes, &tables).map(Self::Behind)
+                AnyStabilizer::observing(scenes, tables).map(Self::Behind)
             }
-            _ => V::fitted(&tables, scenes),
+            _ => member(scenes, tables),
         }
     }
 
-    /// What the table of a member asks for in several dimensions, on a loop with this basis.
+    /// What the table of a member asks for in several dimensions, on the loop of one scene.
     pub(super) fn in_space(
-        basis: &Basis,
-        table: &scene::Stabilizer,
+        scenes: Scenes<'_>,
+        tables: &[scene::Stabilizer],
     ) -> Result<Self, ParameterError> {
+        let (basis, table) = (&Basis::of(scenes.common()), Lanes::new(tables).common());
         lacking(basis, table)?;
         match table {
             scene::Stabilizer::Own(own) => Self::own(basis, own),
@@ -122,11 +132,17 @@ impl<V: Space> Fitted<V> {
 }
 
 impl<T: Scalar + Space> Fitted<T> {
-    /// What the tables of a member ask for in one dimension, on loops with these bases, one for each table.
-    ///
-    /// # Errors
-    /// As [`Fitted::named`].
-    pub(crate) fn on_a_line(
+    /// What the tables of a member, one for each scene, ask for in one dimension.
+    pub(super) fn on_a_line(
+        scenes: Scenes<'_>,
+        tables: &[scene::Stabilizer],
+    ) -> Result<Self, ParameterError> {
+        let bases: Vec<Basis> = scenes.values().iter().map(Basis::of).collect();
+        Self::on_bases(&bases, tables, scenes.instructions())
+    }
+
+    /// The same on loops with these bases.
+    pub(crate) fn on_bases(
         bases: &[Basis],
         tables: &[scene::Stabilizer],
         instructions: Instructions,

@@ -83,7 +83,8 @@ impl<V: Space, P: Plant<V>> Plant<V> for On<P> {
         sample
     }
 
-    #[inline]
+    // Not once more in `advance`, which a table of methods holds beside it and no run calls.
+    #[inline(never)]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         V::run(self.instructions, Advance { plant: &mut self.part, effort, sample });
     }

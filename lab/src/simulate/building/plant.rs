@@ -175,7 +175,10 @@ pub(super) fn on_a_line<T: Scalar + Space>(
 pub(super) fn in_space<T: Scalar + Space, const N: usize>(
     scenes: Scenes<'_>,
     seen: &Operator<SVector<T, N>>,
-) -> Result<AnyPlant<SVector<T, N>>, ParameterError> {
+) -> Result<AnyPlant<SVector<T, N>>, ParameterError>
+where
+    SVector<T, N>: Space<Scalar = T>,
+{
     if scenes.common().effects.friction.is_none() {
         return frictionless(scenes, seen);
     }

@@ -9,7 +9,7 @@ use crate::simulate::tick::{OperatorMotion, Tick};
 
 /// Records of what the parts of a loop do and a rollout's tick cannot see from outside.
 #[derive(Debug)]
-pub(crate) struct Seen<V: Signal> {
+pub struct Seen<V: Signal> {
     stabilizer: Rc<Sight<V>>,
     /// The environment's own effort, where a port around it changes that.
     environment: Rc<Cell<Option<V>>>,

@@ -10,10 +10,8 @@ use pulp::NullaryFnOnce;
 
 use super::plant::{self, AnyPlant};
 use super::seen::Operator;
-use super::{Fitted, Scenes};
-use crate::files::scene::{
-    Basis, Coordinates, Draft, Environment, Lanes, Rates, Render, Scene, Stabilizer,
-};
+use super::{Fitted, Port, Scenes, Seen, assembly};
+use crate::files::scene::{Coordinates, Draft, Environment, Rates, Render, Scene, Stabilizer};
 use crate::simulate::aligned::F64x8;
 use crate::simulate::instructions::Instructions;
 
@@ -53,11 +51,24 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// A parameter out of the range of the scalar, an environment of another space, and any error of the making.
     fn render<R: Render<Self>>(scenes: Scenes<'_>, of: R) -> Result<R::Made, ParameterError>;
 
-    /// The member of the family that the tables, one for each scene, ask for.
+    /// What the tables, one for each scene and alike in all but numbers, ask for; no stabilizer without tables.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar, a stabilizer of another space, and a loop without what it is set by.
-    fn fitted(tables: &[Stabilizer], scenes: Scenes<'_>) -> Result<Fitted<Self>, ParameterError>;
+    fn fitted(
+        tables: Option<&[Stabilizer]>,
+        scenes: Scenes<'_>,
+    ) -> Result<Fitted<Self>, ParameterError>;
+
+    /// The port of the scenes that answers the motion, stabilizer and effects included; `seen` records what they do.
+    ///
+    /// # Errors
+    /// A parameter out of the range of the scalar, alone or with others.
+    fn port(
+        scenes: Scenes<'_>,
+        fitted: Fitted<Self>,
+        seen: Option<&Seen<Self>>,
+    ) -> Result<Port<Self>, ParameterError>;
 
     /// The plant of the scenes; where a link sets the operator apart from the device, `operator` records its motion.
     ///
@@ -70,6 +81,34 @@ pub trait Space: Signal<Scalar: Send> + Send {
 
     /// Runs a part's share of a tick, lanes on `instructions`.
     fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output;
+}
+
+/// The ways from scenes to the parts of a loop. Each is compiled here for the one signal; generic over signals, it would
+/// be compiled again, with all parts that a loop can have, in every crate that names it.
+macro_rules! built {
+    ($fitted:path, $plant:path) => {
+        fn fitted(
+            tables: Option<&[Stabilizer]>,
+            scenes: Scenes<'_>,
+        ) -> Result<Fitted<Self>, ParameterError> {
+            Fitted::asked(tables, scenes, $fitted)
+        }
+
+        fn port(
+            scenes: Scenes<'_>,
+            fitted: Fitted<Self>,
+            seen: Option<&Seen<Self>>,
+        ) -> Result<Port<Self>, ParameterError> {
+            assembly::answering(scenes, seen, fitted)
+        }
+
+        fn plant(
+            scenes: Scenes<'_>,
+            operator: &Operator<Self>,
+        ) -> Result<AnyPlant<Self>, ParameterError> {
+            $plant(scenes, operator)
+        }
+    };
 }
 
 macro_rules! line {
@@ -105,20 +144,7 @@ macro_rules! line {
                 Environment::on_a_line(&environments, Rates::of(scenes.common()), of)
             }
 
-            fn fitted(
-                tables: &[Stabilizer],
-                scenes: Scenes<'_>,
-            ) -> Result<Fitted<Self>, ParameterError> {
-                let bases: Vec<Basis> = scenes.values().iter().map(Basis::of).collect();
-                Fitted::on_a_line(&bases, tables, scenes.instructions())
-            }
-
-            fn plant(
-                scenes: Scenes<'_>,
-                operator: &Operator<Self>,
-            ) -> Result<AnyPlant<Self>, ParameterError> {
-                plant::on_a_line(scenes, operator)
-            }
+            built!(Fitted::on_a_line, plant::on_a_line);
 
             #[inline(always)]
             fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
@@ -143,47 +169,52 @@ fn at_once<J: NullaryFnOnce>(_instructions: Instructions, job: J) -> J::Output {
     job.call()
 }
 
-impl<T: Scalar + Space, const N: usize> Space for SVector<T, N> {
-    type Wide = T::Wide;
-    type Double = SVector<f64, N>;
+macro_rules! space {
+    ($($scalar:ty, $axes:literal);* $(;)?) => {$(
+        impl Space for SVector<$scalar, $axes> {
+            type Wide = <$scalar as Space>::Wide;
+            type Double = SVector<f64, $axes>;
 
-    const DIMENSIONS: usize = N;
+            const DIMENSIONS: usize = $axes;
 
-    fn at(scenes: Scenes<'_>, coordinates: impl Fn(&Scene) -> &Coordinates) -> Self {
-        coordinates(scenes.common()).vector()
-    }
+            fn at(scenes: Scenes<'_>, coordinates: impl Fn(&Scene) -> &Coordinates) -> Self {
+                coordinates(scenes.common()).vector()
+            }
 
-    fn axis(self, index: usize) -> f64 {
-        self.get(index).map_or(f64::NAN, |axis| axis.lane(0))
-    }
+            fn axis(self, index: usize) -> f64 {
+                self.get(index).map_or(f64::NAN, |axis| axis.lane(0))
+            }
 
-    fn double(self) -> SVector<f64, N> {
-        SVector::from_fn(|index, _| self[index].lane(0))
-    }
+            fn double(self) -> Self::Double {
+                SVector::from_fn(|index, _| self[index].lane(0))
+            }
 
-    fn solid(scene: &Draft) -> Option<Box<dyn Solid<Self>>> {
-        scene.environment.solid_in_space()
-    }
+            fn solid(scene: &Draft) -> Option<Box<dyn Solid<Self>>> {
+                scene.environment.solid_in_space()
+            }
 
-    fn render<R: Render<Self>>(scenes: Scenes<'_>, of: R) -> Result<R::Made, ParameterError> {
-        scenes.common().environment.in_space(of)
-    }
+            fn render<R: Render<Self>>(
+                scenes: Scenes<'_>,
+                of: R,
+            ) -> Result<R::Made, ParameterError> {
+                scenes.common().environment.in_space(of)
+            }
 
-    fn fitted(tables: &[Stabilizer], scenes: Scenes<'_>) -> Result<Fitted<Self>, ParameterError> {
-        Fitted::in_space(&Basis::of(scenes.common()), Lanes::new(tables).common())
-    }
+            built!(Fitted::in_space, plant::in_space);
 
-    fn plant(
-        scenes: Scenes<'_>,
-        operator: &Operator<Self>,
-    ) -> Result<AnyPlant<Self>, ParameterError> {
-        plant::in_space(scenes, operator)
-    }
+            #[inline(always)]
+            fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
+                at_once(instructions, job)
+            }
+        }
+    )*};
+}
 
-    #[inline(always)]
-    fn run<J: NullaryFnOnce>(instructions: Instructions, job: J) -> J::Output {
-        at_once(instructions, job)
-    }
+space! {
+    f32, 2;
+    f32, 3;
+    f64, 2;
+    f64, 3;
 }
 
 /// Evaluates an expression with the type `$signal` set to the signal at the port of a scene.

@@ -217,9 +217,17 @@ impl Calls {
         Ok(calls)
     }
 
-    /// The number of loops that are timed.
+    /// The loops on a line, which lanes can run, and the effects that they tell: those in a space come last.
+    pub(super) fn on_a_line(&self) -> (&[Call], impl Iterator<Item = &Effect>) {
+        let in_space = |call: &Call| call.scene.dimensions() > 1;
+        let line = self.all.iter().position(in_space).unwrap_or(self.all.len());
+        let told = move |it: &&Effect| it.alone.iter().chain(&it.composed).all(|at| *at < line);
+        (&self.all[..line], self.effects.iter().filter(told))
+    }
+
+    /// The number of loops that are timed, once by themselves and once on lanes.
     pub(super) fn rounds(&self) -> usize {
-        2 * (timing::ROUNDS + 1) * self.all.len()
+        (timing::ROUNDS + 1) * (self.all.len() + self.on_a_line().0.len())
     }
 
     /// The index of the loop of `draft`; adds the loop if it is not there.

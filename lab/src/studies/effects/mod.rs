@@ -16,7 +16,7 @@ use crate::files::Scene;
 use crate::files::scene::{Conflict, Diagnostic};
 use crate::measure::timing::Rounds;
 use crate::simulate::{F64x8, Instructions};
-use calls::Calls;
+use calls::{Calls, Effect};
 
 /// The costs of all effects, in nanoseconds per step on this machine; docs/effects/costs.md explains how to read
 /// them.
@@ -34,7 +34,7 @@ pub struct Costs {
     scalars: Vec<Column>,
 }
 
-/// The costs for one kind of number.
+/// The costs for one kind of number; on lanes those of effects on a line only, as nothing runs a space on lanes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Column {
     scalar: &'static str,
@@ -94,12 +94,15 @@ impl Costs {
         watch: &dyn Fn() -> ControlFlow<()>,
     ) -> Result<Self, CostsError> {
         let (base, best) = (Instructions::Base, Instructions::best());
-        let one = timing::times::<f64>(&calls.all, base, watch)?;
-        let eight = timing::times::<F64x8>(&calls.all, best, watch)?;
-        let scalars = vec![
-            Column::of(("f64", 1, base), calls, &one),
-            Column::of(("f64x8", F64x8::LANES, best), calls, &eight),
-        ];
+        let one = timing::alone(&calls.all, base, watch)?;
+        let mut scalars =
+            vec![Column::of(("f64", 1, base), (calls.bare, &one), calls.effects.iter())];
+        let (on_a_line, effects) = calls.on_a_line();
+        if !on_a_line.is_empty() {
+            let eight = timing::on_lanes(on_a_line, best, watch)?;
+            let lanes = ("f64x8", F64x8::LANES, best);
+            scalars.push(Column::of(lanes, (calls.bare, &eight), effects));
+        }
         Ok(Self {
             scene,
             not_deterministic: ["bare_ns_per_step", "ns_per_step", "spread_ns", "ratio"],
@@ -135,19 +138,19 @@ impl Costs {
 }
 
 impl Column {
-    /// The costs by the `times` of numbers with this name, so many rollouts at once, on these instructions.
-    fn of(
+    /// The costs of `effects` by the `times` of numbers with this name, so many rollouts at once, on these instructions.
+    fn of<'a>(
         (scalar, rollouts, instructions): (&'static str, usize, Instructions),
-        calls: &Calls,
-        times: &Rounds,
+        (bare, times): (usize, &Rounds),
+        effects: impl Iterator<Item = &'a Effect>,
     ) -> Self {
         let difference = |[without, with]: [usize; 2]| Difference::of(times, without, with);
-        let effects = calls.effects.iter().map(|effect| Cost {
+        let effects = effects.map(|effect| Cost {
             effect: effect.name,
             alone: difference(effect.alone),
             composed: difference(effect.composed),
         });
-        let [_, bare_ns_per_step, _] = times.quartiles(calls.bare);
+        let [_, bare_ns_per_step, _] = times.quartiles(bare);
         let (instructions, effects) = (instructions.name(), effects.collect());
         Self { scalar, rollouts, instructions, bare_ns_per_step, effects }
     }

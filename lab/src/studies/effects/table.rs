@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Column, Costs, Difference};
+use super::{Column, Cost, Costs, Difference};
 use crate::show::table::{Cell, Heading, Table};
 
 pub(super) fn write(costs: &Costs, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -49,7 +49,7 @@ impl Column {
 }
 
 /// The price of each effect alone for one rollout, by itself and as one of several on lanes: of the first kind of number
-/// and of the last.
+/// and of the second, if the effect or the scene has lanes.
 pub(super) fn prices(costs: &Costs) -> Table {
     let headings = [
         Heading::word("effect"),
@@ -57,20 +57,24 @@ pub(super) fn prices(costs: &Costs) -> Table {
         Heading::number("on lanes\nns a rollout"),
         Heading::number("times\nless"),
     ];
-    let [Some(one), Some(lanes)] = [costs.scalars.first(), costs.scalars.last()] else {
-        return Table::new(headings);
+    let Some((one, lanes)) = costs.scalars.split_first() else { return Table::new(headings) };
+    let lanes = lanes.first();
+    let row = |name: &'static str, one: f64, on_lanes: Option<f64>, told: bool| {
+        let share = lanes.zip(on_lanes).map(|(lanes, ns)| ns / lanes.rollouts as f64);
+        let gain = share.filter(|_| told).map(|share| tenths(one / share));
+        let or_dash = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned()).into();
+        let share = share.map(|share| format!("{share:.2}"));
+        [name.into(), tenths(one).into(), or_dash(share), or_dash(gain)]
     };
-    let share = |ns: f64| ns / lanes.rollouts as f64;
-    let row = |name: &'static str, [one, lanes]: [f64; 2], told: bool| {
-        let gain = if told { tenths(one / lanes) } else { "-".to_owned() };
-        [name.into(), tenths(one).into(), format!("{lanes:.2}").into(), gain.into()]
-    };
-    let bare = [one.bare_ns_per_step, share(lanes.bare_ns_per_step)];
-    let rows = one.effects.iter().zip(&lanes.effects).map(|(one, lanes)| {
-        let told = one.alone.is_told() && lanes.alone.is_told();
-        row(one.effect, [one.alone.ns_per_step, share(lanes.alone.ns_per_step)], told)
+    let bare = lanes.map(|lanes| lanes.bare_ns_per_step);
+    let bare = row("(the loop)", one.bare_ns_per_step, bare, true);
+    let rows = one.effects.iter().map(|cost| {
+        let same = |on: &&Cost| on.effect == cost.effect;
+        let on = lanes.and_then(|lanes| lanes.effects.iter().find(same)).map(|it| it.alone);
+        let told = cost.alone.is_told() && on.is_some_and(|on| on.is_told());
+        row(cost.effect, cost.alone.ns_per_step, on.map(|on| on.ns_per_step), told)
     });
-    Table::new(headings).with_rows(std::iter::once(row("(the loop)", bare, true)).chain(rows))
+    Table::new(headings).with_rows(std::iter::once(bare).chain(rows))
 }
 
 /// The costs of each effect for one kind of number.
@@ -100,7 +104,6 @@ fn tenths(number: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::studies::effects::Cost;
 
     #[test]
     fn the_table_fits_the_terminal() {

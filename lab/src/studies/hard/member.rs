@@ -29,7 +29,7 @@ pub(super) fn set_by<T: Scalar + Space>(
         StabilizerName::Member(_) | StabilizerName::Own(_) => {
             let table = member.bare_table().filter(|table| table.kind().lacks(basis).is_none());
             let table = table.ok_or(HardError::NoPart)?;
-            match Fitted::on_a_line(std::slice::from_ref(basis), &[table], Instructions::Base)? {
+            match Fitted::on_bases(std::slice::from_ref(basis), &[table], Instructions::Base)? {
                 Fitted::Behind(stabilizer) => Ok(stabilizer),
                 // The samples of these cases come without an environment that could be asked.
                 Fitted::Around(_) => Err(HardError::NoPart),
