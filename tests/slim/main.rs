@@ -4,6 +4,7 @@
 //! every vector cost minutes of building after each changed line.
 
 mod asked;
+mod axes;
 mod controller;
 mod directed;
 mod drift;
@@ -13,6 +14,7 @@ mod late;
 mod limits;
 mod messages;
 mod parts;
+mod path;
 mod plausible;
 mod restored;
 mod retuned;

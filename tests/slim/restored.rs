@@ -48,8 +48,15 @@ impl Stabilizer<f64> for In<WaveFilter<f64>> {
     }
 }
 
+/// From what is stored at any tick it goes on, and what is stored of that is the same again.
 fn goes_on<S: Stabilizer<f64> + Snapshot + Clone>(one: &S) {
     laws::snapshot(one, laws::Samples::<f64>::new(PERIOD)).expect("the law");
+    let mut running = one.clone();
+    for (sample, effort) in laws::Samples::<f64>::new(PERIOD).take(300) {
+        running.stabilize(&sample, effort);
+        let again = one.clone().restored(running.state()).expect("a memory");
+        assert!(again.state() == running.state(), "{:?}", running.state());
+    }
 }
 
 fn spring() -> Spring<f64> {
@@ -68,6 +75,11 @@ fn what_is_no_member_goes_on() {
     goes_on(&In(WaveFilter::new(0.25).expect("a filter")));
     let damper = ReferenceDamper::starting(2.0, |x: f64| x.max(0.0), -0.01).expect("a damper");
     goes_on(&Lolc::new((PortEnergy, damper), limit::<f64>()));
+    goes_on(&MemoryBased::<f64, 16>::beyond(-0.01, 0.1).expect("a memory"));
+    goes_on(&PathMemory::<f64, 16>::beyond(-0.01, 0.1).expect("a memory"));
+    goes_on(&ForceBounding::of_damping(0.1).and_then(|it| it.delayed::<4>(3)).expect("a pipe"));
+    goes_on(&Tank::new(PortEnergy, STORE).expect("a tank"));
+    goes_on(&LeastNorm::new(PortEnergy, limit::<f64>(), 0.3).expect("a filter"));
     let axes = PerAxis::of([popc::<f64>(), popc::<f64>()]);
     laws::snapshot(&axes, laws::Samples::<Vector2<f64>>::new(PERIOD)).expect("the law");
 }
