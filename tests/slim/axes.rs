@@ -50,6 +50,11 @@ fn the_joined_damping_burns_what_the_axes_burn() {
     // Two shortfalls beyond the range are told as the largest number, and squares that are not normal are no motion.
     let told = both(1e308, 1e308).stabilize(&at(1e-160, 1e-160), Vector2::zeros());
     assert_eq!((told.shortfall, told.alpha), (f64::MAX, 0.0));
+    // v² is the smallest normal number here, and v² T is less.
+    let told = both(9.0, 0.0).stabilize(&at(2f64.powi(-511), 0.0), Vector2::zeros());
+    assert_eq!(told.alpha, 0.0);
+    let told = both(9.0, 0.0).stabilize(&at(2f64.powi(-510), 0.0), Vector2::zeros());
+    assert_eq!(told.alpha, 9.0);
 }
 
 /// A reader who multiplies `v²` by `T` first, then by `α`, finds no less than what the axes burnt.

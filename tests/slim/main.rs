@@ -13,6 +13,7 @@ mod inertia;
 mod late;
 mod limits;
 mod messages;
+mod metrics;
 mod parts;
 mod path;
 mod plausible;

@@ -68,6 +68,13 @@ fn the_joined_damping_burns_what_both_burn() {
     let told = both.stabilize(&moving(), Screw::default());
     // Two equal dampings are one, and two debts beyond the range are told as the largest number.
     assert_eq!((told.alpha, told.shortfall, told.accepted), (5.0, f64::MAX, true));
+    // v² is the smallest normal number, and v² T is less: that is no motion.
+    for (step, alpha) in [(-511, 0.0), (-510, 9.0)] {
+        let twist: Body = Screw::new(Vector3::x() * 2f64.powi(step), Vector3::zeros());
+        let slow = PortSample::starting(0.5, Screw::default(), twist);
+        let mut both = PerPart::of(says(0.0, 9.0, 0.0), says(0.0, 0.0, 0.0));
+        assert_eq!(both.stabilize(&slow, Screw::default()).alpha, alpha);
+    }
 }
 
 /// A part whose sample is rejected counts neither in the damping nor in what moves.
