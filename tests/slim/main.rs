@@ -5,6 +5,7 @@
 
 mod asked;
 mod axes;
+mod constraint;
 mod controller;
 mod directed;
 mod drift;
