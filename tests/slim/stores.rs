@@ -117,6 +117,20 @@ fn a_tank_hands_out_its_energy_or_its_power() {
     assert_eq!(tank.stabilize(&at(-1.0, 0.0), 2.0).effort, 0.0);
 }
 
+/// In computed numbers: a tank that is asked for more than it holds keeps no less than nothing, and next to nothing.
+#[test]
+fn a_tank_is_not_overdrawn_by_rounding() {
+    let mut dice = Dice::of(29);
+    for _ in 0..20_000 {
+        let start = dice.within(1.0).abs() * 10f64.powf(dice.within(6.0));
+        let mut tank = EnergyTank::new(TankLimits { start, ..OPEN }).expect("a tank");
+        let (period, flow) = (0.1 + dice.within(0.09), 1.0 + dice.within(0.9));
+        let given = tank.pass(period, 0.0, 1e12, flow);
+        assert!(tank.energy() >= 0.0, "{} J of {start:e} J", tank.energy());
+        assert_relative_eq!(given * flow * period, start, max_relative = 1e-14);
+    }
+}
+
 /// As the filter does: what is asked, the period and the work are finite, and so is what they add up to.
 #[test]
 fn a_tank_rejects_what_does_not_add_up() {
