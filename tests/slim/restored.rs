@@ -29,7 +29,7 @@ impl<P: Snapshot> Snapshot for In<P> {
     }
 }
 
-impl Stabilizer<f64> for In<InputToState<Spring<f64>, f64>> {
+impl<P: OnePort<f64>> Stabilizer<f64> for In<InputToState<P, f64>> {
     fn stabilize(&mut self, sample: &PortSample<f64>, _effort: f64) -> Correction<f64> {
         Correction { alpha: self.0.slope(), ..Correction::none(self.0.respond(sample)) }
     }
@@ -69,6 +69,8 @@ const STORE: TankLimits<f64> = TankLimits { start: 2e-3, floor: 1e-3, ceiling: 5
 fn what_is_no_member_goes_on() {
     goes_on(&In(InputToState::new(spring(), 1e4, 0.1).expect("a port")));
     goes_on(&In(InputToState::adaptive(spring(), 1.5, 0.1).expect("a port")));
+    let inside = InputToState::new(spring(), 1e4, 0.0).expect("a port");
+    goes_on(&In(InputToState::new(inside, 2e4, 0.1).expect("a port")));
     let tank = EnergyTank::new(STORE).expect("a tank");
     goes_on(&In(tank));
     goes_on(&In(tank.opening()));
