@@ -46,6 +46,9 @@ fn what_the_damper_of_the_device_dissipates_is_counted() {
     let tick = HeldTick { period, position: 0.0, velocity, displacement, applied: 0.0 };
     let told = bounding.stabilize(&tick.sample(), 0.0).observed_energy;
     assert!((told - 0.003).abs() < 1e-15, "{told}");
+    let mut tight = EnergyBounding::<f64, _>::tight(damping, period).expect("a damping");
+    let told = tight.stabilize(&tick.sample(), 0.0).observed_energy;
+    assert!((told - 0.003).abs() < 1e-15, "{told}");
 }
 
 /// The published form, with its divisions.

@@ -3,17 +3,26 @@
 //! The modules of `tests/family` that check one type or two are taken as they are; those that check every lane and
 //! every vector cost minutes of building after each changed line.
 
+mod asked;
+mod axes;
+mod constraint;
 mod controller;
 mod directed;
 mod drift;
 mod every_member;
 mod inertia;
+mod late;
 mod limits;
 mod messages;
+mod metrics;
+mod parts;
+mod path;
 mod plausible;
+mod restored;
 mod retuned;
 mod room;
 mod shaped;
+mod stores;
 mod watched;
 
 #[path = "../family/account.rs"]

@@ -56,7 +56,6 @@ impl<A, B> PerPart<A, B> {
         &self.translation
     }
 
-    /// What stands for rotation.
     /// The part of translation, to be changed between ticks.
     pub fn translation_mut(&mut self) -> &mut A {
         &mut self.translation
