@@ -81,6 +81,11 @@ impl<T: Scalar> Fate<T> {
         Watched { span: self.positions.span(), fate: self }
     }
 
+    /// Whether it judges by positions alone.
+    pub(crate) fn needs_positions_only(&self) -> bool {
+        self.speeds.is_none()
+    }
+
     /// The criterion of a lane.
     pub(crate) fn criterion(&self, lane: usize) -> &Criterion {
         &self.criteria[lane]
@@ -173,6 +178,18 @@ impl<T: Scalar> Watched<'_, T> {
         if let Some(speeds) = &mut self.fate.speeds {
             add_speed(speeds, velocity);
         }
+    }
+
+    /// Adds the position of one more tick to a fate that [needs no more](Fate::needs_positions_only).
+    #[inline(always)]
+    pub(crate) fn place(&mut self, position: T) {
+        self.span.add(position);
+    }
+
+    /// The largest |position| of the present stretch.
+    #[inline(always)]
+    pub(crate) fn reach(&self) -> T {
+        self.span.reach()
     }
 
     /// Ends after as many `ticks`.

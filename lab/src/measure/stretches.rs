@@ -51,6 +51,12 @@ impl<T: Scalar> Span<T> {
         self.low = value.smaller(self.low);
         self.high = value.larger(self.high);
     }
+
+    /// The largest magnitude.
+    #[inline(always)]
+    pub(crate) fn reach(&self) -> T {
+        self.high.magnitude().larger(self.low.magnitude())
+    }
 }
 
 impl<T: Scalar> Stretches<T> {

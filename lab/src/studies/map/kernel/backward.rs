@@ -82,12 +82,24 @@ impl<T: Fuse> Period<T> {
             let size = moved.magnitude();
             let near = size.above(self.near[0]) & size.below(self.near[1]);
             if (near | size.below(T::smallest_positive())).all() {
-                let near = moved * self.inverse;
-                let beyond = near.fused(self.period, -moved);
-                return (-beyond).fused(self.inverse, near);
+                return self.divide_near(moved);
             }
         }
         moved / self.period
+    }
+
+    /// [`divide`](Self::divide) for a `moved` that is 0 or far from the ends of the range.
+    #[inline(always)]
+    pub(super) fn divide_near(&self, moved: T) -> T {
+        let near = moved * self.inverse;
+        let beyond = near.fused(self.period, -moved);
+        (-beyond).fused(self.inverse, near)
+    }
+
+    /// The period, s.
+    #[inline(always)]
+    pub(super) fn seconds(&self) -> T {
+        self.period
     }
 }
 

@@ -199,6 +199,12 @@ impl<T: Scalar> Watch<T> for &mut Last<T> {
         self.0 = correction.observed_energy;
     }
 
+    fn place(&mut self, _position: T) {}
+
+    fn reach(&self) -> T {
+        T::largest()
+    }
+
     #[inline(always)]
     fn end(self, _ticks: u64) {}
 }

@@ -31,10 +31,14 @@ pub(super) trait Meter<T: Fuse> {
     fn watch(&mut self) -> Self::Watch<'_>;
 
     /// Whether later ticks cannot change the result.
-    fn is_decided(&self) -> bool;
+    fn is_decided(&mut self) -> bool;
 
-    /// The lanes that left the range of the scalar, whose later ticks do not matter; none if there is none.
-    fn out_of_range(&self) -> Option<T::Mask>;
+    /// Whether it needs no more than positions, so that ticks may go [without checks](super::sure).
+    fn needs_positions_only(&self) -> bool;
+
+    /// The lanes that left the range of the scalar or that of bounded runs, whose later ticks do not matter; none if there is
+    /// none.
+    fn out_of_range(&self, position: T) -> Option<T::Mask>;
 
     /// Result of a lane; `sound`: its last row is finite.
     fn read(&self, lane: usize, sound: bool) -> Self::Reading;
@@ -45,14 +49,25 @@ pub(super) trait Watch<T: Scalar> {
     /// Adds one tick: the motion, the wall's force, and its correction, applied from here on.
     fn add(&mut self, sample: &PortSample<T>, wall: T, correction: &Correction<T>);
 
+    /// Adds the position of one tick of moderate numbers, all that a meter of [positions](Meter::needs_positions_only) needs.
+    fn place(&mut self, position: T);
+
+    /// The largest |position| so far or more, a NaN aside.
+    fn reach(&self) -> T;
+
     /// Ends after as many `ticks`.
     fn end(self, ticks: u64);
 }
+
+/// The distance from which on the lanes are looked at that may have left their bound, m.
+const FAR: f64 = 1.0;
 
 /// Meter of the verdict alone.
 pub(super) struct Verdicts<T: Scalar> {
     fate: Fate<T>,
     lanes: usize,
+    /// The lanes before this one are lost.
+    lost: usize,
     accepted: T::Mask,
 }
 
@@ -71,6 +86,16 @@ impl<T: Scalar> Watch<T> for WatchedVerdicts<'_, T> {
     }
 
     #[inline(always)]
+    fn place(&mut self, position: T) {
+        self.fate.place(position);
+    }
+
+    #[inline(always)]
+    fn reach(&self) -> T {
+        self.fate.reach()
+    }
+
+    #[inline(always)]
     fn end(self, ticks: u64) {
         self.fate.end(ticks);
         *self.all = self.accepted;
@@ -84,7 +109,7 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
 
     fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
         let (fate, accepted) = (Fate::of_lanes(lanes.0), Mask::of(true));
-        Ok(Self { fate, lanes: lanes.0.len(), accepted })
+        Ok(Self { fate, lanes: lanes.0.len(), lost: 0, accepted })
     }
 
     fn room(&mut self) -> u64 {
@@ -97,12 +122,25 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
         WatchedVerdicts { fate: fate.watched(), accepted: *accepted, all: accepted }
     }
 
-    fn is_decided(&self) -> bool {
-        (0..self.lanes).all(|lane| self.fate.is_lost(lane))
+    fn is_decided(&mut self) -> bool {
+        while self.lost < self.lanes && self.fate.is_lost(self.lost) {
+            self.lost += 1;
+        }
+        self.lost == self.lanes
     }
 
-    fn out_of_range(&self) -> Option<T::Mask> {
-        let out = !self.accepted;
+    fn needs_positions_only(&self) -> bool {
+        self.fate.needs_positions_only()
+    }
+
+    #[inline(always)]
+    fn out_of_range(&self, position: T) -> Option<T::Mask> {
+        let near = position.magnitude().below(T::of(FAR));
+        if (near & self.accepted).all() {
+            return None;
+        }
+        let is_out = |lane| f64::from(lane < self.lanes && self.fate.is_out(lane));
+        let out = !self.accepted | T::from_lanes(is_out).above(T::zero());
         out.any().then_some(out)
     }
 
@@ -143,6 +181,12 @@ impl<T: Scalar> Watch<T> for &mut Everything<T> {
         });
     }
 
+    fn place(&mut self, _position: T) {}
+
+    fn reach(&self) -> T {
+        T::largest()
+    }
+
     fn end(self, _ticks: u64) {}
 }
 
@@ -178,11 +222,15 @@ impl<T: Fuse> Meter<T> for Everything<T> {
         self
     }
 
-    fn is_decided(&self) -> bool {
+    fn is_decided(&mut self) -> bool {
         false
     }
 
-    fn out_of_range(&self) -> Option<T::Mask> {
+    fn needs_positions_only(&self) -> bool {
+        false
+    }
+
+    fn out_of_range(&self, _position: T) -> Option<T::Mask> {
         None
     }
 

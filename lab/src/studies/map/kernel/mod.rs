@@ -16,6 +16,7 @@ mod port;
 mod proven;
 mod rollout;
 mod seats;
+mod sure;
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
 mod vectors;
 
@@ -194,11 +195,13 @@ impl Kernel {
             (Lanes::Many, Instructions::Base) => run.on::<Aligned<AutoF32x16>, W>(watching),
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx2(proof)) => {
-                run.on_vectors::<V3, W>(proof, is_wide, watching)
+                proof.prove();
+                watching.on_vectors::<V3>(run, is_wide)
             }
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx512(proof)) => {
-                run.on_vectors::<V4, W>(proof, is_wide, watching)
+                proof.prove();
+                watching.on_vectors::<V4>(run, is_wide)
             }
         }
     }
@@ -209,6 +212,11 @@ impl Kernel {
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
 const VECTORS: usize = if cfg!(target_feature = "simd128") { 4 } else { 2 };
 
+/// Vectors of a group that is only judged, whose ticks [without checks](sure) need few registers: of `f64` and of `f32`, whose
+/// quotients take less time.
+#[cfg(target_arch = "x86_64")]
+const JUDGED: [usize; 2] = [4, 3];
+
 /// Lanes of `f64` that every processor of the target has.
 #[cfg(not(target_feature = "simd128"))]
 type BaseF64s = Aligned<AutoF64x8>;
@@ -218,7 +226,7 @@ type BaseF64s = F64s<Simd128, VECTORS>;
 /// Lanes of a group on vectors of `S`.
 #[cfg(target_arch = "x86_64")]
 fn lanes_of<S: Proven>(is_wide: bool) -> usize {
-    if is_wide { F64s::<S, VECTORS>::LANES } else { F32s::<S, VECTORS>::LANES }
+    if is_wide { F64s::<S, { JUDGED[0] }>::LANES } else { F32s::<S, { JUDGED[1] }>::LANES }
 }
 
 /// Whether the kernel has all parts of a scene.
@@ -262,7 +270,15 @@ trait Watching: std::marker::Copy {
     type Meter<T: Batch>: Meter<T, Reading = Self::Reading>;
 
     fn empty(self) -> Self::Reading;
+
+    /// Runs the rollouts on vectors of instructions that the thread has proven, `f64` or `f32`.
+    #[cfg(target_arch = "x86_64")]
+    fn on_vectors<S: Proven>(self, run: Run<'_>, is_wide: bool) -> Readings<Self::Reading>;
 }
+
+/// A reading of every cell; none if the run was stopped.
+#[cfg(target_arch = "x86_64")]
+type Readings<R> = Result<Option<Vec<R>>, ParameterError>;
 
 #[derive(Clone, Copy)]
 struct Judge;
@@ -273,6 +289,14 @@ impl Watching for Judge {
 
     fn empty(self) -> (Verdict, Yardstick) {
         (Verdict::TooShort, Yardstick::Distance)
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    fn on_vectors<S: Proven>(self, run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
+        match is_wide {
+            true => run.on::<F64s<S, { JUDGED[0] }>, Self>(self),
+            false => run.on::<F32s<S, { JUDGED[1] }>, Self>(self),
+        }
     }
 }
 
@@ -286,25 +310,17 @@ impl Watching for MeasureAll {
     fn empty(self) -> Measures {
         Measures::default()
     }
+
+    #[cfg(target_arch = "x86_64")]
+    fn on_vectors<S: Proven>(self, run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
+        match is_wide {
+            true => run.on::<F64s<S, VECTORS>, Self>(self),
+            false => run.on::<F32s<S, VECTORS>, Self>(self),
+        }
+    }
 }
 
 impl Run<'_> {
-    /// Runs the rollouts on vectors of proven instructions, `f64` or `f32`.
-    #[cfg(target_arch = "x86_64")]
-    fn on_vectors<S: Proven, W: Watching>(
-        self,
-        proof: S,
-        is_wide: bool,
-        watching: W,
-    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
-        proof.prove();
-        if is_wide {
-            self.on::<F64s<S, VECTORS>, W>(watching)
-        } else {
-            self.on::<F32s<S, VECTORS>, W>(watching)
-        }
-    }
-
     /// Runs the rollouts with the type of the stabilizer.
     fn on<T: Batch, W: Watching>(
         self,

@@ -1,7 +1,8 @@
 //! Parts of a loop whose numbers differ from lane to lane.
 
 use lyapunov::{
-    Dissipation, Held, Lolc, LyapunovCandidate, ParameterError, PortEnergy, Scalar, Stabilizer,
+    Dissipation, Held, Lolc, LyapunovCandidate, ParameterError, PortEnergy, PortSample, Scalar,
+    Stabilizer,
     bodies::{Body, Impedance},
     candidates::InContact,
     environments::Wall,
@@ -10,6 +11,7 @@ use lyapunov::{
 
 use super::backward::Fuse;
 use super::port::StabilizedWall;
+use super::sure::{Account as Sure, MODERATE, PERIODS};
 use crate::files::scene::{self, Damping, Draft};
 
 /// Scenes of the lanes, alike in rates and duration; lanes beyond the last scene repeat it.
@@ -60,7 +62,22 @@ impl<'a> Lanes<'a> {
     pub(super) fn port<T: Fuse, S: Laned<T>>(self) -> Result<StabilizedWall<T, S>, ParameterError> {
         let wall = self.wall()?;
         let (ticks, period) = (self.common().environment_ratio(), self.common().period());
-        Ok(StabilizedWall::new(wall, ticks, S::of(self, &wall)?, period))
+        let surface = self.of_wall(|wall| wall.position.get());
+        let port = StabilizedWall::new(wall, ticks, S::of(self, &wall)?, period);
+        Ok(if self.are_moderate() { port.sure(surface) } else { port })
+    }
+
+    /// Whether all numbers of the port are moderate.
+    fn are_moderate(self) -> bool {
+        let is_moderate = |scene: &Draft| {
+            let wall = scene.environment.wall();
+            let wall = wall.map_or([0.0; 3], |wall| {
+                [wall.stiffness.get(), wall.damping.get(), wall.position.get()]
+            });
+            let damping = scene.device.damping.get();
+            wall.into_iter().chain([damping]).all(|number| number.abs() <= MODERATE)
+        };
+        PERIODS.contains(&self.common().period()) && self.0.iter().all(is_moderate)
     }
 }
 
@@ -92,6 +109,15 @@ pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Copy {
 
     /// The same with the account of some `lanes` cleared.
     fn cleared(self, lanes: T::Mask) -> Self;
+
+    /// Its candidate.
+    type Candidate: Crediting<T>;
+
+    /// What it takes along for ticks without checks; none if it needs no such ticks.
+    fn account(&self) -> Option<Sure<T, Self::Candidate>>;
+
+    /// The same with an observed energy, J.
+    fn observing(self, energy: T) -> Self;
 }
 
 impl<T: Scalar> Laned<T> for NoStabilizer {
@@ -100,6 +126,18 @@ impl<T: Scalar> Laned<T> for NoStabilizer {
     }
 
     fn cleared(self, _lanes: T::Mask) -> Self {
+        self
+    }
+
+    type Candidate = PortEnergy;
+
+    #[inline(always)]
+    fn account(&self) -> Option<Sure<T, PortEnergy>> {
+        None
+    }
+
+    #[inline(always)]
+    fn observing(self, _energy: T) -> Self {
         self
     }
 }
@@ -112,24 +150,44 @@ impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     }
 
     fn cleared(self, lanes: T::Mask) -> Self {
-        let kept = T::choose(lanes, T::zero(), self.observed_energy());
-        let mut cleared = self;
-        cleared.reset();
-        let given = cleared.grant(kept.larger(T::zero()));
-        let owed = cleared.owe((-kept).larger(T::zero()));
-        // Other lanes that are out of range have no account to keep.
-        if given.is_ok() && owed.is_ok() { cleared } else { self }
+        self.observing(T::choose(lanes, T::zero(), self.observed_energy()))
+    }
+
+    type Candidate = C;
+
+    #[inline(always)]
+    fn account(&self) -> Option<Sure<T, C>> {
+        let (energy, most) = (self.observed_energy(), self.limit().most());
+        Some(Sure { energy, most, candidate: *self.candidate() })
+    }
+
+    #[inline(never)]
+    fn observing(self, energy: T) -> Self {
+        let mut other = self;
+        other.reset();
+        let given = other.grant(energy.larger(T::zero()));
+        let owed = other.owe((-energy).larger(T::zero()));
+        // Lanes that are out of range have no account to keep.
+        if given.is_ok() && owed.is_ok() { other } else { self }
     }
 }
 
 /// A candidate with the numbers of each lane.
 pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Copy {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
+
+    /// Its decrease on a moderate sample: `square` is `v² T`, and the wall begins at `surface`.
+    fn sure_decrease(&self, sample: &PortSample<T>, square: T, surface: T) -> T;
 }
 
 impl<T: Scalar> Crediting<T> for PortEnergy {
     fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok(Self)
+    }
+
+    #[inline(always)]
+    fn sure_decrease(&self, sample: &PortSample<T>, _square: T, _surface: T) -> T {
+        sample.work
     }
 }
 
@@ -137,10 +195,21 @@ impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T>) {
     fn of(lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok((PortEnergy, Dissipation::of(lanes.each(|scene| scene.device.damping.get()))?))
     }
+
+    #[inline(always)]
+    fn sure_decrease(&self, sample: &PortSample<T>, square: T, _surface: T) -> T {
+        sample.work + self.1.damping() * square
+    }
 }
 
 impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T, InContact<T>>) {
     fn of(_lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok((PortEnergy, wall.dissipation()))
+    }
+
+    #[inline(always)]
+    fn sure_decrease(&self, sample: &PortSample<T>, square: T, surface: T) -> T {
+        let burnt = self.1.damping() * square;
+        sample.work + T::choose(sample.position.above(surface), burnt, T::zero())
     }
 }

@@ -1,9 +1,10 @@
 //! The port of the kernel: a stabilized wall that is slower than the servo.
 
-use lyapunov::{Correction, OnePort, PortSample, Stabilizer, environments::Wall};
+use lyapunov::{Correction, Mask, OnePort, PortSample, Stabilizer, environments::Wall};
 
 use super::backward::{Fuse, Period};
 use super::parts::Laned;
+use super::sure::{LARGE, MODERATE, SurePort};
 
 /// A wall that is asked on every `ticks`-th tick, a stabilizer before it, and velocities from the displacement over one
 /// period.
@@ -18,13 +19,22 @@ pub(super) struct StabilizedWall<T, S> {
     ticks: u64,
     left: u64,
     answer: T,
+    /// The wall's position where all numbers of the port are moderate, m.
+    surface: Option<T>,
+    /// The observed energy after ticks without checks, which the stabilizer does not have yet.
+    ahead: Option<T>,
 }
 
 impl<T: Fuse, S: Stabilizer<T>> StabilizedWall<T, S> {
     /// The port of `wall`, asked on every `ticks`-th tick from the first on.
     pub(super) fn new(wall: Wall<T>, ticks: u64, stabilizer: S, period: f64) -> Self {
         let (period, answer) = (Period::of(period), T::zero());
-        Self { wall, stabilizer, period, ticks, left: 0, answer }
+        Self { wall, stabilizer, period, ticks, left: 0, answer, surface: None, ahead: None }
+    }
+
+    /// The same, all of whose numbers are moderate, with the wall at `surface`.
+    pub(super) fn sure(self, surface: T) -> Self {
+        Self { surface: Some(surface), ..self }
     }
 
     /// The force of the wall, held, N.
@@ -47,8 +57,48 @@ impl<T: Fuse, S: Stabilizer<T>> StabilizedWall<T, S> {
 }
 
 impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
+    /// The port for ticks without checks; none where it has no such ticks.
+    #[inline(always)]
+    pub(super) fn unchecked(&self, sample: &PortSample<T>) -> Option<SurePort<T, S::Candidate>> {
+        let Self { wall, period, ticks, left, answer, .. } = *self;
+        let (mut account, surface) = (self.stabilizer.account()?, self.surface?);
+        if let Some(energy) = self.ahead {
+            account.energy = energy;
+        }
+        // What an earlier tick brings into these.
+        let [most, large] = [MODERATE, LARGE].map(T::of);
+        let is_moderate = account.most.below(most)
+            & sample.displacement.magnitude().below(most)
+            & answer.magnitude().below(large);
+        let port =
+            SurePort { wall, period, ticks, left, answer, account, surface, least: T::largest() };
+        is_moderate.all().then_some(port)
+    }
+
+    /// Goes on after `port`.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, port: &SurePort<T, S::Candidate>) {
+        (self.left, self.answer) = (port.left, port.answer);
+        // To tell a stabilizer takes as long as some ticks, so it is told when it is asked.
+        self.ahead = Some(port.account.energy);
+    }
+
+    #[cfg(test)]
+    pub(super) fn stabilizer(&self) -> &S {
+        &self.stabilizer
+    }
+
+    /// Tells the stabilizer what it missed.
+    #[inline(always)]
+    pub(super) fn catch_up(&mut self) {
+        if let Some(energy) = self.ahead.take() {
+            self.stabilizer = self.stabilizer.observing(energy);
+        }
+    }
+
     /// Forgets the force and the account of some `lanes`.
     pub(super) fn clear(&mut self, lanes: T::Mask) {
+        self.catch_up();
         self.answer = T::choose(lanes, T::zero(), self.answer);
         self.stabilizer = self.stabilizer.cleared(lanes);
     }

@@ -12,6 +12,9 @@ use super::seats::Seats;
 /// Ticks between two checks whether groups are decided.
 const STRETCH: u64 = 64;
 
+/// How often ticks of a group may be thrown away because they needed checks.
+const TRIES: u8 = 4;
+
 /// Rollouts of some cells, one lane each, measured by an `M`; a decided group of lanes makes room for the next.
 ///
 /// Every function between here and the arithmetic is always inlined: a function that is called instead is compiled for
@@ -37,14 +40,19 @@ impl<T: Batch, S: Stabilizer<T>> Loop<T, S> {
     pub(super) fn tick(&mut self, watch: &mut impl Watch<T>) {
         let correction = self.port.respond(&self.sample);
         watch.add(&self.sample, self.port.answer(), &correction);
-        // The period stays, and a whole sample would be built elsewhere and copied here.
-        let next = self.plant.advance(correction.effort);
-        self.sample.position = next.position;
-        self.sample.velocity = next.velocity;
-        self.sample.displacement = next.displacement;
-        self.sample.applied = next.applied;
-        self.sample.work = next.work;
+        advance_by(correction.effort, &mut self.plant, &mut self.sample);
     }
+}
+
+#[inline(always)]
+fn advance_by<T: Batch>(effort: T, plant: &mut Body<T>, sample: &mut PortSample<T>) {
+    // The period stays, and a whole sample would be built elsewhere and copied here.
+    let next = plant.advance(effort);
+    sample.position = next.position;
+    sample.velocity = next.velocity;
+    sample.displacement = next.displacement;
+    sample.applied = next.applied;
+    sample.work = next.work;
 }
 
 /// A running group of lanes.
@@ -53,6 +61,8 @@ struct Group<T: Batch, S, M> {
     meter: M,
     /// The remaining ticks.
     left: u64,
+    /// How often more ticks without checks may turn out to need them.
+    tries: u8,
     /// The lanes whose last row is finite; all of them before it.
     sound: T::Mask,
     first: usize,
@@ -63,6 +73,10 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     /// Runs some ticks in registers.
     #[inline(always)]
     fn run(&mut self, ticks: u64) {
+        if T::IS_FUSED && self.tries > 0 && self.leap(ticks) {
+            return;
+        }
+        self.looped.port.catch_up();
         let mut looped = self.looped;
         let mut watch = self.meter.watch();
         for _ in 0..ticks {
@@ -70,6 +84,27 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
         }
         watch.end(ticks);
         self.looped = looped;
+    }
+
+    /// Runs some ticks [without checks](super::sure) and tells whether they needed none; else nothing has happened.
+    #[inline(always)]
+    fn leap(&mut self, ticks: u64) -> bool {
+        let Some(mut port) = self.looped.port.unchecked(&self.looped.sample) else { return false };
+        let (mut plant, mut sample) = (self.looped.plant, self.looped.sample);
+        let mut watch = self.meter.watch();
+        for _ in 0..ticks {
+            watch.place(sample.position);
+            let effort = port.respond(&sample);
+            advance_by(effort, &mut plant, &mut sample);
+        }
+        if !port.was_sure(watch.reach(), sample.position) {
+            self.tries -= 1;
+            return false;
+        }
+        watch.end(ticks);
+        self.looped.port.follow(&port);
+        (self.looped.plant, self.looped.sample) = (plant, sample);
+        true
     }
 
     /// Runs one tick in memory.
@@ -113,7 +148,8 @@ impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
         let (meter, plant) = (M::new(lanes)?, lanes.body(&mut self.bodies)?);
         let (port, sample) = (lanes.port()?, plant.start());
         let (looped, sound) = (Loop { plant, port, sample }, Mask::of(true));
-        Ok(Some(Group { looped, meter, left, sound, first, count }))
+        let tries = if meter.needs_positions_only() { TRIES } else { 0 };
+        Ok(Some(Group { looped, meter, left, tries, sound, first, count }))
     }
 
     #[inline(never)]
@@ -135,7 +171,7 @@ impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
             }
             _ if group.meter.is_decided() => {}
             _ => {
-                if let Some(lanes) = group.meter.out_of_range() {
+                if let Some(lanes) = group.meter.out_of_range(group.looped.sample.position) {
                     group.rest(lanes);
                 }
                 return false;

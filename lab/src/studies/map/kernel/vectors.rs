@@ -306,8 +306,11 @@ macro_rules! vectors {
             }
 
             fn lane(self, index: usize) -> bool {
-                let one = $lanes::all(1.0);
-                $lanes::choose(self, one, $lanes::zero()).lane(index) == 1.0
+                let (proof, each) = (self.proof, $lanes::<S, N>::EACH);
+                let Some(vector) = self.vectors.get(index / each) else { return false };
+                let truth = proof.$select(*vector, proof.$splat(1.0), proof.$splat(0.0));
+                let values: &[$real] = cast_slice(std::slice::from_ref(&truth));
+                values[index % each] == 1.0
             }
 
             #[inline(always)]
