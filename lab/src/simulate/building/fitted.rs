@@ -69,7 +69,7 @@ impl<V: Space> Fitted<V> {
         }
     }
 
-    /// What the table of a member asks for in several dimensions, on the loop of one scene.
+    /// The member that a table asks for in several dimensions, on the loop of one scene.
     pub(super) fn in_space(
         scenes: Scenes<'_>,
         tables: &[scene::Stabilizer],
@@ -132,7 +132,7 @@ impl<V: Space> Fitted<V> {
 }
 
 impl<T: Scalar + Space> Fitted<T> {
-    /// What the tables of a member, one for each scene, ask for in one dimension.
+    /// The member that the tables, one for each scene, ask for in one dimension.
     pub(super) fn on_a_line(
         scenes: Scenes<'_>,
         tables: &[scene::Stabilizer],

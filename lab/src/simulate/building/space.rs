@@ -51,7 +51,7 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// A parameter out of the range of the scalar, an environment of another space, and any error of the making.
     fn render<R: Render<Self>>(scenes: Scenes<'_>, of: R) -> Result<R::Made, ParameterError>;
 
-    /// What the tables, one for each scene and alike in all but numbers, ask for; no stabilizer without tables.
+    /// The stabilizer that the tables, one for each scene and alike in all but numbers, ask for; none without tables.
     ///
     /// # Errors
     /// A parameter out of the range of the scalar, a stabilizer of another space, and a loop without what it is set by.

@@ -113,7 +113,7 @@ pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Copy {
     /// Its candidate.
     type Candidate: Crediting<T>;
 
-    /// What it takes along for ticks without checks; none if it needs no such ticks.
+    /// The account that it takes along for ticks without checks; none if it needs no such ticks.
     fn account(&self) -> Option<Sure<T, Self::Candidate>>;
 
     /// The same with an observed energy, J.

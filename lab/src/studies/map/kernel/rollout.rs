@@ -12,7 +12,7 @@ use super::seats::Seats;
 /// Ticks between two checks whether groups are decided.
 const STRETCH: u64 = 64;
 
-/// How often ticks of a group may be thrown away because they needed checks.
+/// The number of times that ticks of a group may be thrown away because they needed checks.
 const TRIES: u8 = 4;
 
 /// Rollouts of some cells, one lane each, measured by an `M`; a decided group of lanes makes room for the next.
@@ -61,7 +61,7 @@ struct Group<T: Batch, S, M> {
     meter: M,
     /// The remaining ticks.
     left: u64,
-    /// How often more ticks without checks may turn out to need them.
+    /// The number of times more that ticks without checks may turn out to need them.
     tries: u8,
     /// The lanes whose last row is finite; all of them before it.
     sound: T::Mask,

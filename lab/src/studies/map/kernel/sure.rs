@@ -21,7 +21,7 @@ pub(super) const PERIODS: std::ops::RangeInclusive<f64> = 1e-5..=1.0;
 /// change it by less than its last digits.
 pub(super) const LARGE: f64 = 1e30;
 
-/// What a stabilizer takes along for some ticks.
+/// The account of a stabilizer for some ticks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Account<T, C> {
     pub(super) energy: T,
