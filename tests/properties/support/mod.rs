@@ -11,7 +11,9 @@ use std::fmt::Debug;
 
 use nalgebra::SVector;
 use proptest::strategy::Strategy;
-use proptest::test_runner::{Config, RngSeed, TestCaseResult, TestError, TestRunner};
+use proptest::test_runner::{
+    Config, RngAlgorithm, RngSeed, TestCaseResult, TestError, TestRunner,
+};
 
 use lyapunov::{
     Dissipation, LyapunovCandidate, PortSample, Scalar, Signal,
@@ -165,6 +167,8 @@ fn run<S: Strategy>(cases: u32, strategy: S, property: &dyn Fn(S::Value) -> Test
         cases,
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(0x5eed),
+        // Of ten thousand cases, the default one takes two thirds of the time.
+        rng_algorithm: RngAlgorithm::XorShift,
         max_shrink_iters: 20_000,
         ..Config::default()
     };
