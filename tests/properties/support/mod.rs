@@ -11,9 +11,7 @@ use std::fmt::Debug;
 
 use nalgebra::SVector;
 use proptest::strategy::Strategy;
-use proptest::test_runner::{
-    Config, RngAlgorithm, RngSeed, TestCaseResult, TestError, TestRunner,
-};
+use proptest::test_runner::{Config, RngAlgorithm, RngSeed, TestCaseResult, TestError, TestRunner};
 
 use lyapunov::{
     Dissipation, LyapunovCandidate, PortSample, Scalar, Signal,

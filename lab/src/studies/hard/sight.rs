@@ -121,8 +121,9 @@ impl Sight {
     pub(super) fn energy(&self) -> f64 {
         let power = self.effort.inner(&self.velocity).abs();
         let square = |axes: &Axes| axes.inner(axes);
-        let squares = [&self.velocity, &self.displacement, &self.effort].map(square);
-        [self.square(), power, power * self.period].into_iter().chain(squares).fold(0.0, f64::max)
+        let over_time = self.square().max(power).max(power * self.period).max(0.0);
+        let [v, moved, force] = [&self.velocity, &self.displacement, &self.effort];
+        over_time.max(square(v)).max(square(moved)).max(square(force))
     }
 
     /// Energy that the correction is to dissipate, J: nothing without damping, whatever the velocity.

@@ -78,6 +78,7 @@ impl Tally {
 }
 
 /// The larger of two numbers, where NaN is larger than any.
+#[inline]
 pub(super) fn larger(a: f64, b: f64) -> f64 {
     if a >= b || a.is_nan() { a } else { b }
 }

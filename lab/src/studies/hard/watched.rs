@@ -161,11 +161,12 @@ impl Meter {
                 }
             }
         }
-        terms[3 * AXES] = self.stored(sight).into();
+        let stored = 3 * sight.velocity.count;
+        terms[stored] = self.stored(sight).into();
         if self.terms.pledge.work == Work::Sampled && sight.accepted {
             self.balance.allow(sight.burnt());
         }
-        self.balance.book(&terms, self.held);
+        self.balance.book(&terms[..=stored], self.held);
     }
 
     /// The works along an axis that the ledger books, J.
