@@ -1,7 +1,7 @@
 //! Frame with two axes, their grid and their numbers.
 
+use super::drawing::{Anchor, Drawing, Lettering};
 use super::geometry::{Place, Rect};
-use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{FAINT_INK, FRAME, GRID, INK, Stroke};
 use super::panel::Numbering;
 use super::span::Span;
@@ -96,7 +96,7 @@ pub(super) fn widest(ticks: &Ticks, size: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-pub(super) fn draw_grid(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
+pub(super) fn draw_grid(drawing: &mut Drawing, axes: &Axes, numbers: &Numbers) {
     let area = axes.area;
     let upright = numbers.x.marks.iter().map(|tick| {
         let (x, _) = axes.place((tick.value, axes.y.low));
@@ -107,10 +107,10 @@ pub(super) fn draw_grid(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
         ((area.left, y), (area.right(), y))
     });
     let lines: Vec<(Place, Place)> = upright.chain(level).collect();
-    markup.lines(&lines, Stroke::solid(GRID, 0.7));
+    drawing.lines(&lines, Stroke::solid(GRID, 0.7));
 }
 
-pub(super) fn draw_frame(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
+pub(super) fn draw_frame(drawing: &mut Drawing, axes: &Axes, numbers: &Numbers) {
     let area = axes.area;
     let size = numbers.size;
     let lettering = |anchor| Lettering { halo: numbers.halo, ..Lettering::new(size, INK, anchor) };
@@ -120,7 +120,7 @@ pub(super) fn draw_frame(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
         let bottom = area.bottom();
         strokes.push(((x, bottom), (x, bottom + TICK_LENGTH)));
         let lettering = lettering(Anchor::Middle);
-        markup.text((x, bottom + TICK_LENGTH + 1.15 * size), lettering, &tick.label);
+        drawing.text((x, bottom + TICK_LENGTH + 1.15 * size), lettering, &tick.label);
     }
     let (edge, outward, anchor) = match numbers.side {
         Side::Left => (area.left, -1.0, Anchor::End),
@@ -131,14 +131,14 @@ pub(super) fn draw_frame(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
         strokes.push(((edge, y), (edge + outward * TICK_LENGTH, y)));
         let lettering = lettering(anchor);
         let x = edge + outward * (TICK_LENGTH + 3.0);
-        markup.text((x, y + 0.36 * size), lettering, &tick.label);
+        drawing.text((x, y + 0.36 * size), lettering, &tick.label);
     }
-    markup.lines(&strokes, Stroke::solid(FRAME, 0.8));
-    markup.outline(area, Stroke::solid(FRAME, 0.8));
+    drawing.lines(&strokes, Stroke::solid(FRAME, 0.8));
+    drawing.outline(area, Stroke::solid(FRAME, 0.8));
 }
 
 /// Writes the common factors and offsets inside the frame, for axes without a margin of their own.
-pub(super) fn draw_notes_inside(markup: &mut Markup, axes: &Axes, numbers: &Numbers) {
+pub(super) fn draw_notes_inside(drawing: &mut Drawing, axes: &Axes, numbers: &Numbers) {
     let area = axes.area;
     let lettering =
         |anchor| Lettering { halo: true, ..Lettering::new(numbers.size, FAINT_INK, anchor) };
@@ -146,8 +146,8 @@ pub(super) fn draw_notes_inside(markup: &mut Markup, axes: &Axes, numbers: &Numb
         Side::Left => (area.left + 4.0, Anchor::Start),
         Side::Right => (area.right() - 4.0, Anchor::End),
     };
-    markup.text((y_place.0, area.top + 1.3 * numbers.size), lettering(y_place.1), &numbers.y.note);
-    markup.text(
+    drawing.text((y_place.0, area.top + 1.3 * numbers.size), lettering(y_place.1), &numbers.y.note);
+    drawing.text(
         (area.right() - 4.0, area.bottom() - 0.5 * numbers.size),
         lettering(Anchor::End),
         &numbers.x.note,

@@ -1,8 +1,8 @@
 //! Series on the page.
 
 use super::axes::Axes;
+use super::drawing::Drawing;
 use super::geometry::{Place, Rect};
-use super::markup::Markup;
 use super::palette::Stroke;
 use super::series::{Series, Trace};
 use super::thinning::{thinned, thinned_dots};
@@ -59,9 +59,9 @@ impl Curve {
         pieces.count() + dots.count()
     }
 
-    pub(super) fn draw(&self, markup: &mut Markup) {
-        markup.curves(&self.lines, self.stroke);
-        markup.dots(&self.dots, self.stroke.colour, DOT_DIAMETER);
+    pub(super) fn draw(&self, drawing: &mut Drawing) {
+        drawing.curves(self.lines.clone(), self.stroke);
+        drawing.dots(self.dots.clone(), self.stroke.colour, DOT_DIAMETER);
     }
 }
 

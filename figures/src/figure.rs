@@ -1,6 +1,7 @@
 //! Figure of one or several panels.
 
 use super::data;
+use super::markup;
 use super::page;
 use super::panel::Panel;
 
@@ -67,7 +68,8 @@ impl Figure {
     /// The figure as an SVG document, on a white ground.
     #[must_use]
     pub fn to_svg(&self) -> String {
-        page::compose(self)
+        let (drawing, size) = page::compose(self);
+        markup::document(&drawing, size, &self.title)
     }
 
     /// The figure's data for a page that draws it once more: JSON, deflated (RFC 1950), in base64.

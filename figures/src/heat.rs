@@ -1,10 +1,10 @@
 //! Heat map over a frame.
 
 use super::axes::TICK_LENGTH;
+use super::drawing::{Anchor, Drawing, Lettering};
 use super::geometry::Rect;
-use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{Class, FRAME, INK, Stroke};
-use super::picture;
+use super::picture::Picture;
 use super::span::Span;
 use super::ticks::Ticks;
 
@@ -101,7 +101,7 @@ impl HeatMap {
             .unwrap_or(Span::UNIT)
     }
 
-    pub(super) fn draw(&self, markup: &mut Markup, area: Rect) {
+    pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect) {
         let colour: &dyn Fn(f64) -> [u8; 3] = match self.colouring {
             Colouring::Ramp(range) => {
                 let span = self.span(range);
@@ -110,17 +110,17 @@ impl HeatMap {
             Colouring::Classes(_) => &|value| Class::of(value).rgb,
         };
         let rows = self.values.len() / self.columns.max(1);
-        let link = picture::link(self.columns, rows, |column, row| {
+        let picture = Picture::of(self.columns, rows, |column, row| {
             let value = self.values[(rows - 1 - row) * self.columns + column];
             if value.is_finite() { colour(value) } else { NOTHING }
         });
-        if let Some(link) = link {
-            markup.cells(area, &link);
+        if let Some(picture) = picture {
+            drawing.cells(area, picture);
         }
     }
 
     /// Draws the colour key of a ramp to the right of the frame.
-    pub(super) fn draw_key(&self, markup: &mut Markup, frame: Rect) {
+    pub(super) fn draw_key(&self, drawing: &mut Drawing, frame: Rect) {
         const STEPS: usize = 64;
         let Colouring::Ramp(range) = self.colouring else { return };
         let span = self.span(range);
@@ -129,8 +129,8 @@ impl HeatMap {
             let share = 1.0 - (row as f64 + 0.5) / STEPS as f64;
             span.low + share * (span.high - span.low)
         };
-        if let Some(link) = picture::link(1, STEPS, |_, row| shade(value(row), span)) {
-            markup.picture(area, &link);
+        if let Some(picture) = Picture::of(1, STEPS, |_, row| shade(value(row), span)) {
+            drawing.picture(area, picture);
         }
         let ticks = Ticks::within(span, 5);
         let mut strokes = Vec::new();
@@ -138,12 +138,12 @@ impl HeatMap {
             let y = area.bottom() - span.fraction(tick.value) * area.height;
             strokes.push(((area.right(), y), (area.right() + TICK_LENGTH, y)));
             let place = (area.right() + TICK_LENGTH + 3.0, y + 0.36 * NUMBER_SIZE);
-            markup.text(place, Lettering::new(NUMBER_SIZE, INK, Anchor::Start), &tick.label);
+            drawing.text(place, Lettering::new(NUMBER_SIZE, INK, Anchor::Start), &tick.label);
         }
-        markup.lines(&strokes, Stroke::solid(FRAME, 0.8));
-        markup.outline(area, Stroke::solid(FRAME, 0.8));
+        drawing.lines(&strokes, Stroke::solid(FRAME, 0.8));
+        drawing.outline(area, Stroke::solid(FRAME, 0.8));
         let note = (area.left + KEY_WIDTH, area.top - 5.0);
-        markup.text(note, Lettering::new(NUMBER_SIZE, INK, Anchor::Middle), &ticks.note);
+        drawing.text(note, Lettering::new(NUMBER_SIZE, INK, Anchor::Middle), &ticks.note);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Legend of the series and of the classes of a heat map.
 
+use super::drawing::{Anchor, Drawing, Lettering};
 use super::geometry::{Place, Rect};
-use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{INK, Stroke};
 use super::panel::Panel;
 use super::series::Trace;
@@ -85,20 +85,20 @@ impl Legend {
         }
     }
 
-    pub(super) fn draw(&self, markup: &mut Markup, (left, top): Place) {
+    pub(super) fn draw(&self, drawing: &mut Drawing, (left, top): Place) {
         for (index, row) in self.rows.iter().enumerate() {
             let baseline = top + (index as f64 + 1.0) * ROW_HEIGHT - 5.0;
             let mut x = left;
             for Entry { named: Named { label, stroke, is_dotted }, width } in row {
                 let y = baseline - 0.36 * SIZE;
                 if *is_dotted {
-                    markup.dots(&[(x + 0.5 * SWATCH, y)], stroke.colour, 4.0);
+                    drawing.dots(vec![(x + 0.5 * SWATCH, y)], stroke.colour, 4.0);
                 } else {
                     let stroke = Stroke { width: stroke.width.max(1.8), ..*stroke };
-                    markup.lines(&[((x, y), (x + SWATCH, y))], stroke);
+                    drawing.lines(&[((x, y), (x + SWATCH, y))], stroke);
                 }
                 let lettering = Lettering::new(SIZE, INK, Anchor::Start);
-                markup.text((x + SWATCH + 6.0, baseline), lettering, label);
+                drawing.text((x + SWATCH + 6.0, baseline), lettering, label);
                 x += width + BETWEEN;
             }
         }
@@ -143,17 +143,17 @@ impl Heading {
     }
 
     /// Draws the heading so that its foot stands on the top of the frame.
-    pub(super) fn draw(&self, markup: &mut Markup, frame: Rect) {
+    pub(super) fn draw(&self, drawing: &mut Drawing, frame: Rect) {
         let top = frame.top - self.height();
         let lettering =
             Lettering { weight: Weight::Bold, ..Lettering::new(Self::SIZE, INK, Anchor::Start) };
-        markup.text((frame.left, top + ROW_HEIGHT - 5.0), lettering, &self.title);
+        drawing.text((frame.left, top + ROW_HEIGHT - 5.0), lettering, &self.title);
         let place = match (self.shares_row, self.legend.width_of_single_row()) {
             (true, Some(width)) => (frame.right() - width, top),
             (true, None) => (frame.left, top),
             (false, _) => (frame.left, top + ROW_HEIGHT),
         };
-        self.legend.draw(markup, place);
+        self.legend.draw(drawing, place);
     }
 }
 

@@ -27,6 +27,7 @@
 mod axes;
 mod curve;
 mod data;
+mod drawing;
 mod figure;
 mod geometry;
 mod guide;

@@ -2,9 +2,9 @@
 
 use super::axes::{self, Axes, Numbers, Side};
 use super::curve::Curve;
+use super::drawing::Drawing;
 use super::geometry::{Place, Rect};
 use super::inset::{Inset, Placement};
-use super::markup::Markup;
 use super::palette::{PAPER, Stroke};
 use super::panel::Panel;
 use super::reference;
@@ -142,29 +142,29 @@ fn mark(axes: &Axes, x: Span, y: Span) -> Option<Rect> {
 
 impl Magnifier {
     /// Draws the lines from the magnified range to the frame, beneath the curves.
-    pub(super) fn draw_connections(&self, markup: &mut Markup) {
-        markup.lines(&self.connections(), CONNECTION);
+    pub(super) fn draw_connections(&self, drawing: &mut Drawing) {
+        drawing.lines(&self.connections(), CONNECTION);
     }
 
-    pub(super) fn draw(&self, markup: &mut Markup, panel: &Panel) {
+    pub(super) fn draw(&self, drawing: &mut Drawing, panel: &Panel) {
         if let Some(mark) = self.mark {
-            markup.outline(mark, MARK);
+            drawing.outline(mark, MARK);
         }
-        markup.area(self.outer, PAPER);
+        drawing.area(self.outer, PAPER);
         // Numbers stand to the left of the frame and below it; a line through a number would change how it reads.
         if self.mark.is_some_and(|mark| is_above(mark, self.axes.area)) {
             let connections = self.connections().into_iter();
             let hidden: Vec<(Place, Place)> =
                 connections.filter_map(|(from, to)| self.outer.cut(from, to)).collect();
-            markup.lines(&hidden, CONNECTION);
+            drawing.lines(&hidden, CONNECTION);
         }
-        axes::draw_grid(markup, &self.axes, &self.numbers);
-        reference::draw_lines(markup, &panel.guides, &self.axes);
+        axes::draw_grid(drawing, &self.axes, &self.numbers);
+        reference::draw_lines(drawing, &panel.guides, &self.axes);
         for curve in Curve::all(&panel.series, &self.axes) {
-            curve.draw(markup);
+            curve.draw(drawing);
         }
-        axes::draw_frame(markup, &self.axes, &self.numbers);
-        axes::draw_notes_inside(markup, &self.axes, &self.numbers);
+        axes::draw_frame(drawing, &self.axes, &self.numbers);
+        axes::draw_notes_inside(drawing, &self.axes, &self.numbers);
     }
 
     fn connections(&self) -> Vec<(Place, Place)> {

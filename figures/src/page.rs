@@ -2,12 +2,12 @@
 
 use super::axes::{self, Axes, Numbers, Side};
 use super::curve::Curve;
+use super::drawing::{Anchor, Drawing, Lettering};
 use super::figure::Figure;
 use super::geometry::Rect;
 use super::heat::HeatMap;
 use super::legend::{Heading, Legend, Named};
 use super::magnifier;
-use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{FAINT_INK, INK};
 use super::panel::{Numbering, Panel};
 use super::reference;
@@ -54,17 +54,18 @@ fn width(figure: &Figure) -> f64 {
     if figure.width.is_nan() { 720.0 } else { figure.width.clamp(320.0, 4000.0) }
 }
 
-pub(super) fn compose(figure: &Figure) -> String {
+/// The drawing of a figure, its width and its height.
+pub(super) fn compose(figure: &Figure) -> (Drawing, [f64; 2]) {
     let width = width(figure);
     let grid = Grid::of(figure, width);
-    let mut markup = Markup::default();
+    let mut drawing = Drawing::default();
     let left = MARGIN + grid.gutter(0);
     let room = width - left - MARGIN - OVERHANG;
     let mut top = MARGIN;
     for line in text::wrapped(&figure.title, TITLE_SIZE, Weight::Bold, room) {
         let lettering =
             Lettering { weight: Weight::Bold, ..Lettering::new(TITLE_SIZE, INK, Anchor::Start) };
-        markup.text((left, top + TITLE_SIZE), lettering, &line);
+        drawing.text((left, top + TITLE_SIZE), lettering, &line);
         top += TITLE_SIZE + 6.0;
     }
     if !figure.title.trim().is_empty() {
@@ -73,16 +74,16 @@ pub(super) fn compose(figure: &Figure) -> String {
     let is_shared = has_shared_legend(&figure.panels);
     if is_shared {
         let legend = Legend::of(&Named::all(&figure.panels[0]), room);
-        legend.draw(&mut markup, (left, top));
+        legend.draw(&mut drawing, (left, top));
         top += legend.height() + 4.0;
     }
     for (index, row) in grid.cells.chunks(grid.columns).enumerate() {
         if index > 0 {
             top += BETWEEN_ROWS;
         }
-        top += grid.draw_row(&mut markup, row, top, is_shared);
+        top += grid.draw_row(&mut drawing, row, top, is_shared);
     }
-    markup.finish(width, (top + MARGIN).max(40.0).ceil(), &figure.title)
+    (drawing, [width, (top + MARGIN).max(40.0).ceil()])
 }
 
 /// Whether every panel has the same legend, so that one legend above all of them is enough.
@@ -132,7 +133,7 @@ impl<'a> Grid<'a> {
     }
 
     /// Draws one row of panels and returns its height.
-    fn draw_row(&self, markup: &mut Markup, row: &[Cell<'a>], top: f64, is_shared: bool) -> f64 {
+    fn draw_row(&self, drawing: &mut Drawing, row: &[Cell<'a>], top: f64, is_shared: bool) -> f64 {
         let frames: Vec<(f64, f64)> = (0..row.len())
             .map(|column| {
                 let gutter = self.gutter(column);
@@ -154,8 +155,8 @@ impl<'a> Grid<'a> {
         for (index, (cell, heading)) in row.iter().zip(&headings).enumerate() {
             let (left, width) = frames[index];
             let area = Rect::new(left, frame_top, width, self.frame_height);
-            heading.draw(markup, area);
-            cell.draw(markup, area, self.numbers_width(index));
+            heading.draw(drawing, area);
+            cell.draw(drawing, area, self.numbers_width(index));
         }
         let room_below = row.iter().map(Cell::room_below).fold(0.0, f64::max);
         heading_height + self.frame_height + room_below
@@ -209,7 +210,7 @@ impl<'a> Cell<'a> {
         NUMBER_SIZE + 8.0 + label
     }
 
-    fn draw(&self, markup: &mut Markup, area: Rect, numbers_width: f64) {
+    fn draw(&self, drawing: &mut Drawing, area: Rect, numbers_width: f64) {
         let room = self.panel.heat.as_ref().map_or(0.0, HeatMap::key_room);
         let area = Rect { width: area.width - room, ..area };
         let whole = Axes { area, x: self.x, y: self.y };
@@ -225,46 +226,46 @@ impl<'a> Cell<'a> {
         let curves = Curve::all(&self.panel.series, &main);
         match &self.panel.heat {
             Some(heat) => {
-                heat.draw(markup, main.area);
-                heat.draw_key(markup, main.area);
+                heat.draw(drawing, main.area);
+                heat.draw_key(drawing, main.area);
             }
-            None => axes::draw_grid(markup, &main, &numbers),
+            None => axes::draw_grid(drawing, &main, &numbers),
         }
-        reference::draw_lines(markup, &self.panel.guides, &main);
+        reference::draw_lines(drawing, &self.panel.guides, &main);
         if let Some(magnifier) = &magnifier {
-            magnifier.draw_connections(markup);
+            magnifier.draw_connections(drawing);
         }
         for curve in &curves {
-            curve.draw(markup);
+            curve.draw(drawing);
         }
-        axes::draw_frame(markup, &main, &numbers);
+        axes::draw_frame(drawing, &main, &numbers);
         let mut taken = Vec::new();
         if let Some(magnifier) = &magnifier {
-            magnifier.draw(markup, self.panel);
+            magnifier.draw(drawing, self.panel);
             taken.push(magnifier.outer);
             taken.extend(magnifier.mark);
         }
-        reference::draw_labels(markup, &self.panel.guides, &main, &curves, taken);
+        reference::draw_labels(drawing, &self.panel.guides, &main, &curves, taken);
         let has_heat = self.panel.heat.as_ref().is_some_and(|heat| !heat.is_empty());
         if curves.iter().all(Curve::is_empty) && !has_heat {
             let centre = (area.left + 0.5 * area.width, area.top + 0.5 * area.height);
             let lettering = Lettering::new(LABEL_SIZE, FAINT_INK, Anchor::Middle);
-            markup.text(centre, lettering, "no data in this range");
+            drawing.text(centre, lettering, "no data in this range");
         }
-        self.draw_labels(markup, area, &main, &numbers);
-        self.draw_y_label(markup, area, numbers_width);
+        self.draw_labels(drawing, area, &main, &numbers);
+        self.draw_y_label(drawing, area, numbers_width);
     }
 
     /// Writes the names of the axes and the factors and offsets that their numbers leave out.
     ///
     /// A magnified part beside the frame shares the name of the abscissa, unless a factor of the
     /// frame's own numbers stands between.
-    fn draw_labels(&self, markup: &mut Markup, whole: Rect, main: &Axes, numbers: &Numbers) {
+    fn draw_labels(&self, drawing: &mut Drawing, whole: Rect, main: &Axes, numbers: &Numbers) {
         let frame = main.area;
         let baseline = frame.bottom() + NUMBER_SIZE + LABEL_SIZE + 11.0;
         let note = Lettering::new(NUMBER_SIZE, FAINT_INK, Anchor::End);
-        markup.text((frame.left - 9.0, frame.top - 10.0), note, &numbers.y.note);
-        markup.text((frame.right(), baseline), note, &numbers.x.note);
+        drawing.text((frame.left - 9.0, frame.top - 10.0), note, &numbers.y.note);
+        drawing.text((frame.right(), baseline), note, &numbers.x.note);
 
         let note_width = text::width(&numbers.x.note, NUMBER_SIZE, Weight::Regular);
         let (width, room) = if note_width > 0.0 {
@@ -276,15 +277,15 @@ impl<'a> Cell<'a> {
         let half = 0.5 * text::width(&label, LABEL_SIZE, Weight::Regular);
         let centre = (frame.left + 0.5 * width).min(frame.left + room - half);
         let lettering = Lettering::new(LABEL_SIZE, INK, Anchor::Middle);
-        markup.text((centre, baseline), lettering, &label);
+        drawing.text((centre, baseline), lettering, &label);
     }
 
     /// Writes the name of the ordinate to the left of the widest numbers of the column.
-    fn draw_y_label(&self, markup: &mut Markup, frame: Rect, numbers_width: f64) {
+    fn draw_y_label(&self, drawing: &mut Drawing, frame: Rect, numbers_width: f64) {
         let label = text::fitted(&self.panel.y_label, LABEL_SIZE, Weight::Regular, frame.height);
         let place = (frame.left - numbers_width - 13.0, frame.top + 0.5 * frame.height);
         let lettering =
             Lettering { upright: true, ..Lettering::new(LABEL_SIZE, INK, Anchor::Middle) };
-        markup.text(place, lettering, &label);
+        drawing.text(place, lettering, &label);
     }
 }

@@ -9,35 +9,60 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 /// Level of the compression; above 6 it takes longer and gains next to nothing.
 const LEVEL: u8 = 6;
 
-/// Link, with `data:`, to a bitmap of `colour`s (red, green, blue) by column and row from the top left; none if it has
-/// no pixels, or more columns or rows than a PNG can count.
-pub(super) fn link(
-    columns: usize,
-    rows: usize,
-    colour: impl Fn(usize, usize) -> [u8; 3],
-) -> Option<String> {
-    let size = [u32::try_from(columns).ok()?, u32::try_from(rows).ok()?];
-    if size.contains(&0) {
-        return None;
+/// Bitmap of colours, row by row from the top left.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Picture {
+    size: [u32; 2],
+    colours: Vec<[u8; 3]>,
+}
+
+impl Picture {
+    /// The bitmap of `colour`s (red, green, blue) by column and row from the top left; none if it has no pixels, or more
+    /// columns or rows than a PNG can count.
+    pub(super) fn of(
+        columns: usize,
+        rows: usize,
+        colour: impl Fn(usize, usize) -> [u8; 3],
+    ) -> Option<Self> {
+        let size = [u32::try_from(columns).ok()?, u32::try_from(rows).ok()?];
+        if size.contains(&0) {
+            return None;
+        }
+        let colours = (0..rows * columns).map(|index| colour(index % columns, index / columns));
+        Some(Self { size, colours: colours.collect() })
     }
-    let colours: Vec<[u8; 3]> =
-        (0..rows * columns).map(|index| colour(index % columns, index / columns)).collect();
-    let palette: Vec<[u8; 3]> =
-        colours.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
-    let is_small = palette.len() <= 256;
-    let mut lines = Vec::with_capacity(rows * (3 * columns + 1));
-    for line in colours.chunks(columns) {
-        // The filter of the line is none.
-        lines.push(0);
-        for colour in line {
-            match palette.binary_search(colour) {
-                Ok(index) if is_small => lines.push(index as u8),
-                _ => lines.extend(colour),
+
+    /// Columns and rows.
+    #[cfg(feature = "png")]
+    pub(super) fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    #[cfg(feature = "png")]
+    pub(super) fn colours(&self) -> &[[u8; 3]] {
+        &self.colours
+    }
+
+    /// Link to it, with `data:`.
+    pub(super) fn link(&self) -> String {
+        let palette: Vec<[u8; 3]> =
+            self.colours.iter().copied().collect::<BTreeSet<_>>().into_iter().collect();
+        let is_small = palette.len() <= 256;
+        let columns = self.size[0] as usize;
+        let mut lines = Vec::with_capacity(self.colours.len() / columns + 3 * self.colours.len());
+        for line in self.colours.chunks(columns) {
+            // The filter of the line is none.
+            lines.push(0);
+            for colour in line {
+                match palette.binary_search(colour) {
+                    Ok(index) if is_small => lines.push(index as u8),
+                    _ => lines.extend(colour),
+                }
             }
         }
+        let palette = is_small.then(|| palette.concat());
+        format!("data:image/png;base64,{}", STANDARD.encode(png(self.size, palette, &lines)))
     }
-    let palette = is_small.then(|| palette.concat());
-    Some(format!("data:image/png;base64,{}", STANDARD.encode(png(size, palette, &lines))))
 }
 
 /// PNG (ISO/IEC 15948) of `lines`, every line after its filter byte: of 8-bit indices into the `palette`, or else of red,
@@ -84,9 +109,9 @@ mod tests {
     }
 
     #[test]
-    fn a_bitmap_without_pixels_has_no_link() {
-        assert_eq!(link(0, 3, |_, _| [0; 3]), None);
-        assert_eq!(link(3, 0, |_, _| [0; 3]), None);
+    fn no_bitmap_is_without_pixels() {
+        assert_eq!(Picture::of(0, 3, |_, _| [0; 3]), None);
+        assert_eq!(Picture::of(3, 0, |_, _| [0; 3]), None);
     }
 
     #[cfg(feature = "png")]
@@ -102,9 +127,9 @@ mod tests {
 
     #[cfg(feature = "png")]
     fn read_back(columns: usize, rows: usize, colour: impl Fn(usize, usize) -> [u8; 3]) {
-        use resvg::tiny_skia::Pixmap;
+        use tiny_skia::Pixmap;
 
-        let link = link(columns, rows, &colour).unwrap();
+        let link = Picture::of(columns, rows, &colour).unwrap().link();
         let text = link.strip_prefix("data:image/png;base64,").unwrap();
         let picture = Pixmap::decode_png(&STANDARD.decode(text).unwrap()).unwrap();
         assert_eq!((picture.width(), picture.height()), (columns as u32, rows as u32));

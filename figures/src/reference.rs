@@ -2,9 +2,9 @@
 
 use super::axes::Axes;
 use super::curve::Curve;
+use super::drawing::{Anchor, Drawing, Lettering};
 use super::geometry::{Place, Rect};
 use super::guide::{Direction, Guide};
-use super::markup::{Anchor, Lettering, Markup};
 use super::palette::{FAINT_INK, Stroke};
 use super::text::{self, Weight};
 
@@ -12,16 +12,16 @@ const SIZE: f64 = 10.5;
 const DESCENT: f64 = 3.0;
 const HEIGHT: f64 = SIZE + DESCENT;
 
-pub(super) fn draw_lines(markup: &mut Markup, guides: &[Guide], axes: &Axes) {
+pub(super) fn draw_lines(drawing: &mut Drawing, guides: &[Guide], axes: &Axes) {
     let lines: Vec<(Place, Place)> = guides.iter().filter_map(|guide| line(guide, axes)).collect();
     for line in lines {
-        markup.lines(&[line], Stroke::dashed(FAINT_INK, 0.9));
+        drawing.lines(&[line], Stroke::dashed(FAINT_INK, 0.9));
     }
 }
 
 /// Writes the labels where they cover least of the curves, of other guides and of the areas already `taken`.
 pub(super) fn draw_labels(
-    markup: &mut Markup,
+    drawing: &mut Drawing,
     guides: &[Guide],
     axes: &Axes,
     curves: &[Curve],
@@ -47,7 +47,7 @@ pub(super) fn draw_labels(
         };
         let best = sites(guide.direction, line, axes.area, width).into_iter().min_by_key(cost);
         if let Some(site) = best {
-            site.draw(markup, &label);
+            site.draw(drawing, &label);
             taken.push(site.area);
         }
     }
@@ -62,7 +62,7 @@ struct Site {
 }
 
 impl Site {
-    fn draw(&self, markup: &mut Markup, label: &str) {
+    fn draw(&self, drawing: &mut Drawing, label: &str) {
         let area = self.area;
         let lettering = Lettering {
             halo: true,
@@ -74,7 +74,7 @@ impl Site {
         } else {
             (area.left, area.bottom() - DESCENT)
         };
-        markup.text(place, lettering, label);
+        drawing.text(place, lettering, label);
     }
 }
 

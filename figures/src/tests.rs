@@ -1,8 +1,22 @@
 //! Tests of the figures from outside, and pictures to look at.
 
-use resvg::tiny_skia::Pixmap;
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Color, Pixmap, Transform};
+use resvg::usvg::fontdb::{Database, Source};
+use resvg::usvg::{Options, Tree};
 
 use super::*;
+use crate::text::Weight;
+
+/// The drawing that another reader finds in an SVG document, with the included typeface.
+fn read(svg: &str) -> Tree {
+    let mut fonts = Database::new();
+    for weight in [Weight::Regular, Weight::Bold] {
+        fonts.load_font_source(Source::Binary(Arc::new(weight.bytes())));
+    }
+    Tree::from_str(svg, &Options { fontdb: Arc::new(fonts), ..Options::default() }).unwrap()
+}
 
 /// A reproducible number between -1 and 1.
 fn noise(index: usize) -> f64 {
@@ -174,12 +188,25 @@ fn beside_and_crowded() -> Figure {
     Figure::new("").with_panel(panel).with_panel(sweep)
 }
 
-fn gallery() -> [(&'static str, Figure); 4] {
+fn fields() -> Figure {
+    let wave = |row: usize, column: usize| (0.3 * row as f64).sin() * (0.2 * column as f64).cos();
+    let ramp = (0..40 * 60).map(|at| wave(at / 60, at % 60)).collect();
+    let classes = (0..40 * 60).map(|at| ((at % 60) / 20) as f64).collect();
+    let mapped = |title: &str, heat| Panel { heat: Some(heat), ..Panel::new(title, "x", "y") };
+    Figure::new("Fields")
+        .with_columns(2)
+        .with_width(900.0)
+        .with_panel(mapped("(a) ramp", HeatMap::new(60, ramp)))
+        .with_panel(mapped("(b) classes", HeatMap::of_classes(60, classes, &["a", "b", "c"])))
+}
+
+fn gallery() -> [(&'static str, Figure); 5] {
     [
         ("swings", two_swings()),
         ("four", four_panels()),
         ("hostile", hostile()),
         ("crowded", beside_and_crowded()),
+        ("fields", fields()),
     ]
 }
 
@@ -198,7 +225,7 @@ fn pictures_to_look_at() {
 fn every_figure_is_a_well_formed_drawing_of_a_modest_size() {
     for (name, figure) in gallery() {
         let svg = figure.to_svg();
-        let tree = raster::tree(&svg).unwrap();
+        let tree = read(&svg);
         assert_eq!(f64::from(tree.size().width()), figure.width, "{name}");
         assert!(tree.root().has_children(), "{name}");
         assert!(svg.len() < 300_000, "{name}: {} bytes", svg.len());
@@ -209,12 +236,48 @@ fn every_figure_is_a_well_formed_drawing_of_a_modest_size() {
 #[test]
 fn the_picture_has_the_size_of_the_drawing_times_the_scale() {
     let figure = two_swings();
-    let size = raster::tree(&figure.to_svg()).unwrap().size();
+    let size = read(&figure.to_svg()).size();
     for scale in [0.5, 1.0, 2.0] {
         let picture = Pixmap::decode_png(&figure.to_png(scale).unwrap()).unwrap();
         assert_eq!(picture.width(), (f64::from(size.width()) * scale).ceil() as u32);
         assert_eq!(picture.height(), (f64::from(size.height()) * scale).ceil() as u32);
         assert!(picture.pixels().iter().all(|pixel| pixel.alpha() == 255));
+    }
+}
+
+/// Means of red, green and blue over the squares of a picture, 8 pixels a side.
+fn squares(picture: &Pixmap) -> Vec<[f64; 3]> {
+    let (columns, rows) = (picture.width() as usize / 8, picture.height() as usize / 8);
+    let mean = |square: usize| {
+        let (left, top) = (8 * (square % columns), 8 * (square / columns));
+        let mut sum = [0.0; 3];
+        for (x, y) in (0..64).map(|at| (left + at % 8, top + at / 8)) {
+            let pixel = picture.pixel(x as u32, y as u32).unwrap();
+            let parts = [pixel.red(), pixel.green(), pixel.blue()].map(f64::from);
+            sum.iter_mut().zip(parts).for_each(|(sum, part)| *sum += part / 64.0);
+        }
+        sum
+    };
+    (0..columns * rows).map(mean).collect()
+}
+
+/// Another rasteriser, of the SVG, is the reference; it moves letters together in pairs.
+#[test]
+fn the_picture_looks_like_the_drawing() {
+    for (name, figure) in gallery() {
+        let tree = read(&figure.to_svg());
+        let picture = Pixmap::decode_png(&figure.to_png(2.0).unwrap()).unwrap();
+        let mut expected = Pixmap::new(picture.width(), picture.height()).unwrap();
+        expected.fill(Color::WHITE);
+        resvg::render(&tree, Transform::from_scale(2.0, 2.0), &mut expected.as_mut());
+        let (ours, theirs) = (squares(&picture), squares(&expected));
+        let off: Vec<f64> = (ours.iter().flatten())
+            .zip(theirs.iter().flatten())
+            .map(|(a, b)| (a - b).abs())
+            .collect();
+        let (mean, most) =
+            (off.iter().sum::<f64>() / off.len() as f64, off.iter().copied().fold(0.0, f64::max));
+        assert!(mean < 0.1 && most < 64.0, "{name}: squares differ by {mean}, at most by {most}");
     }
 }
 
@@ -241,10 +304,10 @@ fn strange_sizes_are_limited_and_strange_scales_refused() {
         for columns in [0, 1, 2, usize::MAX] {
             let figure =
                 four_panels().with_width(width).with_columns(columns).with_panel_height(width);
-            raster::tree(&figure.to_svg()).unwrap();
+            read(&figure.to_svg());
         }
     }
-    raster::tree(&Figure::default().to_svg()).unwrap();
+    read(&Figure::default().to_svg());
     for scale in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(two_swings().to_png(scale), Err(ChartError::Scale { .. })));
     }
@@ -267,7 +330,7 @@ fn every_pair_of_hostile_ranges_gives_a_drawing() {
                 .with_inset(Inset::over(low, high).with_y_range(low, high));
             let free = Panel { x_range: None, y_range: None, ..panel.clone() };
             let figure = Figure::new("").with_columns(2).with_panel(panel).with_panel(free);
-            raster::tree(&figure.to_svg()).unwrap();
+            read(&figure.to_svg());
         }
     }
 }

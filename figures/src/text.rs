@@ -21,8 +21,17 @@ impl Weight {
     }
 }
 
-/// Widths of the characters of a text at a size, in units of the drawing.
-fn advances(text: &str, size: f64, weight: Weight) -> Vec<(usize, f64)> {
+/// What is shown for a character: the mark of replacement for those that are not to be seen, or not allowed in XML.
+pub(super) fn shown(character: char) -> char {
+    match character {
+        '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
+        other if other.is_control() => '\u{fffd}',
+        other => other,
+    }
+}
+
+/// Where each character of a text ends in it, in bytes, and its width at a size, in units of the drawing.
+pub(super) fn advances(text: &str, size: f64, weight: Weight) -> Vec<(usize, f64)> {
     let face = Face::parse(weight.bytes(), 0).ok();
     let share = |character: char| {
         let face = face.as_ref()?;

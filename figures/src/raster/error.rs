@@ -18,11 +18,6 @@ pub enum ChartError {
         /// Height of the rejected picture, in pixels.
         height: f64,
     },
-    /// The rasteriser rejected the drawing.
-    Drawing {
-        /// Message of the rasteriser.
-        reason: String,
-    },
     /// The pixels could not be encoded.
     Encoding {
         /// Message of the encoder.
@@ -39,7 +34,6 @@ impl fmt::Display for ChartError {
             Self::TooLarge { width, height } => {
                 write!(formatter, "a picture of {width} by {height} pixels is too large")
             }
-            Self::Drawing { reason } => write!(formatter, "the drawing was refused: {reason}"),
             Self::Encoding { reason } => write!(formatter, "the picture was not encoded: {reason}"),
         }
     }
