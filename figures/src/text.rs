@@ -21,7 +21,7 @@ impl Weight {
     }
 }
 
-/// What is shown for a character: the mark of replacement for those that are not to be seen, or not allowed in XML.
+/// The character itself, or the mark of replacement for one that cannot be seen or that XML does not allow.
 pub(super) fn shown(character: char) -> char {
     match character {
         '\u{fffe}' | '\u{ffff}' => '\u{fffd}',
@@ -30,7 +30,7 @@ pub(super) fn shown(character: char) -> char {
     }
 }
 
-/// Where each character of a text ends in it, in bytes, and its width at a size, in units of the drawing.
+/// End of each character within a text, in bytes, and its width at a size, in units of the drawing.
 pub(super) fn advances(text: &str, size: f64, weight: Weight) -> Vec<(usize, f64)> {
     let face = Face::parse(weight.bytes(), 0).ok();
     let share = |character: char| {

@@ -10,15 +10,15 @@ use crate::text;
 pub(super) fn outlines(text: &str, lettering: Lettering) -> Option<Path> {
     let Lettering { size, weight, anchor, .. } = lettering;
     let face = Face::parse(weight.bytes(), 0).ok()?;
-    let width = text::width(text, size, weight);
-    let start = match anchor {
+    let advances = text::advances(text, size, weight);
+    let width: f64 = advances.iter().map(|(_, advance)| advance).sum();
+    let mut left = match anchor {
         Anchor::Start => 0.0,
         Anchor::Middle => -0.5 * width,
         Anchor::End => -width,
     };
     let unit = size / f64::from(face.units_per_em());
-    let mut letters = Letters { path: PathBuilder::new(), unit: unit as f32, left: start as f32 };
-    let (mut left, advances) = (start, text::advances(text, size, weight));
+    let mut letters = Letters { path: PathBuilder::new(), unit: unit as f32, left: left as f32 };
     for (character, (_, advance)) in text.chars().zip(advances) {
         letters.left = left as f32;
         // The first glyph stands for characters that the typeface lacks.
@@ -34,7 +34,7 @@ struct Letters {
     path: PathBuilder,
     /// The size of a unit of the typeface.
     unit: f32,
-    /// Where the present letter begins.
+    /// Left end of the present letter.
     left: f32,
 }
 
