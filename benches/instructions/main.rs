@@ -2,7 +2,7 @@
 //! absent effect must cost nothing. Fails where a ratio is above [`MARK`], or where bytes or positions differ. Then what each
 //! part around a stabilizer adds; fails where docs/telemetry.md has other numbers of the same compiler.
 //!
-//! `cargo bench --bench instructions`. `valgrind --tool=callgrind` counts the instructions, the same on every run;
+//! `cargo bench -p lyapunov-instructions`. `valgrind --tool=callgrind` counts the instructions, the same on every run;
 //! without valgrind the benchmark prints SKIPPED.
 
 mod features;
