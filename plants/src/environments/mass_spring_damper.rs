@@ -7,8 +7,8 @@ use crate::{ForceLaw, Impedance, Kinematics};
 /// A virtual mass-spring-damper, `f = m a + b v + k (x − position)`: the paper's example 2 (equation 14),
 /// two-sided.
 ///
-/// `a = (v(n) − v(n−1)) / T` with `T` the time since the last call, 0 on the first one. Behind a hold that is the
-/// time between two answers, not the period of the servo loop.
+/// `a = (v(n) − v(n−1)) / T` with `T` the time since the last call, 0 on the first one and after a velocity that is not
+/// finite. Behind a hold that is the time between two answers, not the period of the servo loop.
 #[derive(Clone, Copy, Debug)]
 pub struct MassSpringDamper<V: Signal> {
     impedance: Impedance<V::Scalar>,
@@ -62,7 +62,8 @@ impl<V: Signal> ForceLaw<V> for MassSpringDamper<V> {
 impl<V: Signal> OnePort<V> for MassSpringDamper<V> {
     #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
-        let gained = sample.velocity - self.velocity.unwrap_or(sample.velocity);
+        let last = self.velocity.unwrap_or(sample.velocity);
+        let gained = V::choose(last.finite(), sample.velocity - last, V::zero());
         self.velocity = Some(sample.velocity);
         let acceleration = gained.map(|change| change / sample.period);
         self.force(&Kinematics { acceleration, ..Kinematics::of(sample) })

@@ -78,15 +78,20 @@ mod check {
 
 crate::support::every_real!(what_only_pushes, what_also_pulls);
 
-/// An environment whose only memory is its count keeps nothing of a NaN.
+/// An environment's memory keeps nothing of a NaN: neither a count nor the last velocity.
 #[test]
 fn the_next_sample_is_sound_again() {
-    let bits = [7; 16];
-    let parts = Parts::<f64>::of(&bits, 0);
-    let (mut spoilt, _) = Moving::build(parts);
-    let (mut sound, _) = Moving::build(parts);
-    let sample = PortSample { position: parts.position + 0.05, ..parts.sample([1, 2], 0) };
-    spoilt.respond(&PortSample { position: f64::NAN, velocity: f64::NAN, ..sample });
-    sound.respond(&sample);
-    assert_eq!(spoilt.respond(&sample), sound.respond(&sample));
+    fn heals<E: Environment>() {
+        let parts = Parts::<f64>::of(&[7; 16], 0);
+        let ((mut spoilt, _), (mut sound, _)) = (E::build(parts), E::build(parts));
+        let sample = PortSample { position: parts.position + 0.05, ..parts.sample([1, 2], 0) };
+        for (position, velocity) in [(f64::NAN, f64::NAN), (sample.position, f64::INFINITY)] {
+            spoilt.respond(&PortSample { position, velocity, ..sample });
+            sound.respond(&sample);
+            assert_eq!(spoilt.respond(&sample), sound.respond(&sample));
+        }
+    }
+    heals::<Moving>();
+    heals::<Varying>();
+    heals::<Example2<false>>();
 }
