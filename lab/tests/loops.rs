@@ -58,21 +58,20 @@ fn alone(loops: &Loops<'_>, name: &'static str, at: usize) -> [f64; 4] {
     [sample.position, sample.velocity, port.correction().observed_energy, largest]
 }
 
-#[test]
-fn every_loop_has_the_bits_of_the_librarys_parts() {
-    let count = 37; // Two groups of any lanes, and some lanes more.
+/// Asserts that every loop from `starts` on has the bits of the library's parts.
+fn have_the_bits(ticks: u64, start: &[f64]) {
+    let count = start.len();
     let (mass, stiffness) = (spread(count, 0.1, 0.4), spread(count, 500.0, 60_000.0));
-    let start = spread(count, -5e-3, 2e-3);
     let loops = Loops {
         count,
-        ticks: 301,
+        ticks,
         period: PERIOD,
         impedance: Impedance {
             mass: Numbers::Each(&mass),
             damping: Numbers::All(0.2),
             stiffness: Numbers::All(50.0),
         },
-        position: Numbers::Each(&start),
+        position: Numbers::Each(start),
         velocity: Numbers::All(0.1),
         wall_stiffness: Numbers::Each(&stiffness),
         wall_damping: Numbers::All(2.0),
@@ -84,11 +83,31 @@ fn every_loop_has_the_bits_of_the_librarys_parts() {
         for at in 0..count {
             let told = [&ends.position, &ends.velocity, &ends.observed_energy, &ends.largest];
             let told = told.map(|numbers| numbers[at].to_bits());
-            assert_eq!(told, alone(&loops, name, at).map(f64::to_bits), "{name}, loop {at}");
+            let expected = alone(&loops, name, at).map(f64::to_bits);
+            assert_eq!(told, expected, "{name}, loop {at}, {ticks} ticks");
         }
     }
     // What a body cannot have is said as by the body.
     let heavy =
         Loops { impedance: Impedance { mass: Numbers::All(0.0), ..loops.impedance }, ..loops };
     assert_eq!(heavy.ends(&Named("popc")).unwrap_err().parameter, "mass");
+}
+
+/// Groups of any lanes and some lanes more; halves of even, odd and no ticks.
+#[test]
+fn every_loop_has_the_bits_of_the_librarys_parts() {
+    let start = spread(69, -5e-3, 2e-3);
+    for ticks in [0, 1, 2, 3, 64, 301] {
+        have_the_bits(ticks, &start);
+    }
+}
+
+/// Numbers too large or too small for ticks without checks, in all lanes of a group and in some of them.
+#[test]
+fn every_loop_has_them_at_the_ends_of_the_range() {
+    let far = [1e-170, 1e7, -1e30, 0.0].into_iter().cycle().take(37).collect::<Vec<_>>();
+    let one_of_many = (0..69).map(|at| if at == 40 { 3e6 } else { -1e-3 }).collect::<Vec<_>>();
+    for start in [far, one_of_many] {
+        have_the_bits(301, &start);
+    }
 }

@@ -1,20 +1,21 @@
 //! Closed loops whose numbers are arrays, on the lanes of maps.
 
+use lyapunov::Scalar;
 use lyapunov::bodies::Impedance;
 use lyapunov::environments::Wall;
 use lyapunov::stabilizers::{Member, NoStabilizer};
-use lyapunov::{Correction, Dissipation, ParameterError, Plant, PortEnergy, PortSample};
-use lyapunov::{Scalar, Stabilizer};
+use lyapunov::{Correction, Dissipation, ParameterError, PortEnergy, PortSample};
 use pulp::NullaryFnOnce;
 use rayon::prelude::*;
 
 use super::batch::Batch;
 use super::meter::Watch;
-use super::parts::Bodies;
+use super::parts::{Accounted, Bodies};
 use super::port::StabilizedWall;
-use super::rollout::Loop;
+use super::rollout::{Loop, STRETCH};
+use super::sure::{MODERATE, PERIODS};
 #[cfg(target_arch = "x86_64")]
-use super::{F64s, Proven, V3, V4, VECTORS};
+use super::{F64s, JUDGED, Proven, V3, V4};
 use crate::simulate::{F64x8, Instructions};
 
 /// A number of all loops, or one for each.
@@ -35,6 +36,15 @@ impl Numbers<'_> {
                 let number = numbers.get(first + lane).or(numbers.last());
                 number.copied().unwrap_or(f64::NAN)
             }),
+        }
+    }
+
+    /// Whether all of them are [moderate](super::sure).
+    fn are_moderate(self) -> bool {
+        let is_moderate = |number: &f64| number.abs() <= MODERATE;
+        match self {
+            Self::All(number) => is_moderate(&number),
+            Self::Each(numbers) => numbers.iter().all(is_moderate),
         }
     }
 }
@@ -98,10 +108,12 @@ impl Loops<'_> {
         match Instructions::best() {
             Instructions::Base => self.under::<F64x8>(recipe, &|| ()),
             #[cfg(target_arch = "x86_64")]
-            Instructions::Avx2(proof) => self.under::<F64s<V3, VECTORS>>(recipe, &|| proof.prove()),
+            Instructions::Avx2(proof) => {
+                self.under::<F64s<V3, { JUDGED[0] }>>(recipe, &|| proof.prove())
+            }
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512(proof) => {
-                self.under::<F64s<V4, VECTORS>>(recipe, &|| proof.prove())
+                self.under::<F64s<V4, { JUDGED[0] }>>(recipe, &|| proof.prove())
             }
         }
     }
@@ -127,7 +139,7 @@ impl Loops<'_> {
         }
     }
 
-    fn spread<T: Batch + Send + Sync, S: Stabilizer<T> + Copy + Send + Sync>(
+    fn spread<T: Batch + Send + Sync, S: Accounted<T> + Send + Sync>(
         &self,
         stabilizer: S,
         prove: &(dyn Fn() + Sync),
@@ -159,7 +171,7 @@ impl Loops<'_> {
         Ok(ends)
     }
 
-    fn group<T: Batch, S: Stabilizer<T>>(
+    fn group<T: Batch, S: Accounted<T>>(
         &self,
         first: usize,
         bodies: &mut Bodies<T>,
@@ -174,10 +186,19 @@ impl Loops<'_> {
         let body = bodies.of(impedance, T::of(self.period))?;
         let plant = body.starting(self.position.lanes(first), self.velocity.lanes(first));
         let wall = Wall::new(self.wall_stiffness.lanes(first), self.wall_damping.lanes(first))?;
-        let wall = wall.at(self.wall_position.lanes(first));
-        let port = StabilizedWall::new(wall, 1, stabilizer, self.period);
-        let looped = Loop { plant, port, sample: plant.start() };
-        Ok(Group { looped, energy: Last(T::zero()), largest: T::zero() })
+        let surface = self.wall_position.lanes(first);
+        let port = StabilizedWall::new(wall.at(surface), 1, stabilizer, self.period);
+        let port = if self.are_moderate() { port.sure(surface) } else { port };
+        Ok(Group {
+            looped: Loop::new(plant, port),
+            seen: Seen { energy: T::zero(), reach: T::zero() },
+        })
+    }
+
+    /// Whether all numbers of the walls are moderate.
+    fn are_moderate(&self) -> bool {
+        let walls = [self.wall_stiffness, self.wall_damping, self.wall_position];
+        PERIODS.contains(&self.period) && walls.into_iter().all(Numbers::are_moderate)
     }
 }
 
@@ -185,47 +206,81 @@ impl Loops<'_> {
 #[derive(Clone, Copy)]
 struct Group<T: Batch, S> {
     looped: Loop<T, S>,
-    energy: Last<T>,
-    largest: T,
+    seen: Seen<T>,
 }
 
-/// The last observed energy, J.
+/// What was seen of some ticks.
 #[derive(Clone, Copy)]
-struct Last<T>(T);
-
-impl<T: Scalar> Watch<T> for &mut Last<T> {
-    #[inline(always)]
-    fn add(&mut self, _sample: &PortSample<T>, _wall: T, correction: &Correction<T>) {
-        self.0 = correction.observed_energy;
-    }
-
-    fn place(&mut self, _position: T) {}
-
-    fn reach(&self) -> T {
-        T::largest()
-    }
-
-    #[inline(always)]
-    fn end(self, _ticks: u64) {}
+struct Seen<T> {
+    /// The observed energy of the last tick with checks, J.
+    energy: T,
+    /// The largest |position|, m.
+    reach: T,
 }
 
-impl<T: Batch, S: Stabilizer<T> + Copy> Group<T, S> {
+/// The same along some ticks.
+struct Seeing<'a, T> {
+    seen: Seen<T>,
+    into: &'a mut Seen<T>,
+}
+
+impl<T: Scalar> Watch<T> for Seeing<'_, T> {
+    #[inline(always)]
+    fn add(&mut self, sample: &PortSample<T>, _wall: T, correction: &Correction<T>) {
+        self.seen.energy = correction.observed_energy;
+        self.place(sample.position);
+    }
+
+    #[inline(always)]
+    fn place(&mut self, position: T) {
+        self.seen.reach = self.seen.reach.larger(position.magnitude());
+    }
+
+    #[inline(always)]
+    fn reach(&self) -> T {
+        self.seen.reach
+    }
+
+    #[inline(always)]
+    fn end(self, _ticks: u64) {
+        *self.into = self.seen;
+    }
+}
+
+impl<T: Batch, S: Accounted<T>> Group<T, S> {
     /// Position, velocity, observed energy and largest |position|, lane by lane.
     fn ends(&self) -> impl Iterator<Item = [f64; 4]> {
-        let sample = &self.looped.sample;
-        let told = [sample.position, sample.velocity, self.energy.0, self.largest];
+        let Loop { sample, port, .. } = &self.looped;
+        let energy = port.ahead().unwrap_or(self.seen.energy);
+        let told = [sample.position, sample.velocity, energy, self.seen.reach];
         (0..T::LANES).map(move |lane| told.map(|number| number.lane(lane)))
     }
 
+    /// Runs some ticks in registers.
     #[inline(always)]
-    fn early(&mut self) {
-        self.looped.tick(&mut &mut self.energy);
+    fn run(&mut self, ticks: u64) {
+        let Self { looped, seen, .. } = self;
+        for from in (0..ticks).step_by(STRETCH as usize) {
+            let ticks = STRETCH.min(ticks - from);
+            if !looped.leap(ticks, seen.watch()) {
+                looped.run(ticks, seen.watch());
+            }
+        }
     }
 
+    /// Runs one tick in memory.
     #[inline(always)]
-    fn late(&mut self) {
-        self.early();
-        self.largest = self.largest.larger(self.looped.sample.position.magnitude());
+    fn tick(&mut self) {
+        let mut watch = self.seen.watch();
+        self.looped.tick(&mut watch);
+        watch.end(1);
+    }
+}
+
+impl<T: Copy> Seen<T> {
+    #[inline(always)]
+    fn watch(&mut self) -> Seeing<'_, T> {
+        Seeing { seen: *self, into: self }
     }
 }
 
@@ -235,26 +290,32 @@ struct Ticks<'a, T: Batch, S> {
     ticks: u64,
 }
 
-impl<T: Batch, S: Stabilizer<T> + Copy> NullaryFnOnce for Ticks<'_, T, S> {
+impl<T: Batch, S: Accounted<T>> Ticks<'_, T, S> {
+    #[inline(always)]
+    fn run(&mut self, ticks: u64) {
+        if T::IN_REGISTERS {
+            self.groups.iter_mut().for_each(|group| group.run(ticks));
+        } else {
+            (0..ticks).for_each(|_| self.groups.iter_mut().for_each(Group::tick));
+        }
+    }
+}
+
+impl<T: Batch, S: Accounted<T>> NullaryFnOnce for Ticks<'_, T, S> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
+    fn call(mut self) {
+        // A tick sees the position before its motion: the first of these is the last of the first half.
         let half = self.ticks.div_ceil(2);
-        if T::IN_REGISTERS {
-            for group in self.groups {
-                let mut own = *group;
-                (0..half).for_each(|_| own.early());
-                (half..self.ticks).for_each(|_| own.late());
-                *group = own;
+        let first = self.ticks.min(half + 1);
+        self.run(first);
+        self.groups.iter_mut().for_each(|group| group.seen.reach = T::zero());
+        self.run(self.ticks - first);
+        if self.ticks > half {
+            for Group { looped, seen } in self.groups {
+                seen.reach = seen.reach.larger(looped.sample.position.magnitude());
             }
-            return;
-        }
-        for _ in 0..half {
-            self.groups.iter_mut().for_each(Group::early);
-        }
-        for _ in half..self.ticks {
-            self.groups.iter_mut().for_each(Group::late);
         }
     }
 }

@@ -6,7 +6,7 @@ use lyapunov::{
     bodies::{Body, Impedance},
     candidates::InContact,
     environments::Wall,
-    stabilizers::{Account, NoStabilizer},
+    stabilizers::{Account, Member, NoStabilizer},
 };
 
 use super::backward::Fuse;
@@ -67,15 +67,14 @@ impl<'a> Lanes<'a> {
         Ok(if self.are_moderate() { port.sure(surface) } else { port })
     }
 
-    /// Whether all numbers of the port are moderate.
+    /// Whether all numbers of the wall are moderate.
     fn are_moderate(self) -> bool {
         let is_moderate = |scene: &Draft| {
             let wall = scene.environment.wall();
             let wall = wall.map_or([0.0; 3], |wall| {
                 [wall.stiffness.get(), wall.damping.get(), wall.position.get()]
             });
-            let damping = scene.device.damping.get();
-            wall.into_iter().chain([damping]).all(|number| number.abs() <= MODERATE)
+            wall.into_iter().all(|number| number.abs() <= MODERATE)
         };
         PERIODS.contains(&self.common().period()) && self.0.iter().all(is_moderate)
     }
@@ -104,16 +103,19 @@ impl<T: Scalar> Bodies<T> {
 }
 
 /// A stabilizer with the numbers of each lane.
-pub(super) trait Laned<T: Scalar>: Stabilizer<T> + Copy {
+pub(super) trait Laned<T: Scalar>: Accounted<T> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
 
     /// The same with the account of some `lanes` cleared.
     fn cleared(self, lanes: T::Mask) -> Self;
+}
 
+/// A stabilizer whose account can go on without it.
+pub(super) trait Accounted<T: Scalar>: Stabilizer<T> + Copy {
     /// Its candidate.
     type Candidate: Crediting<T>;
 
-    /// The account that it takes along for ticks without checks; none if it needs no such ticks.
+    /// The account that it takes along for ticks without checks; none if it has no such ticks.
     fn account(&self) -> Option<Sure<T, Self::Candidate>>;
 
     /// The same with an observed energy, J.
@@ -128,19 +130,28 @@ impl<T: Scalar> Laned<T> for NoStabilizer {
     fn cleared(self, _lanes: T::Mask) -> Self {
         self
     }
-
-    type Candidate = PortEnergy;
-
-    #[inline(always)]
-    fn account(&self) -> Option<Sure<T, PortEnergy>> {
-        None
-    }
-
-    #[inline(always)]
-    fn observing(self, _energy: T) -> Self {
-        self
-    }
 }
+
+macro_rules! checked {
+    ($($stabilizer:ty),+) => {$(
+        impl<T: Scalar> Accounted<T> for $stabilizer {
+            type Candidate = PortEnergy;
+
+            #[inline(always)]
+            fn account(&self) -> Option<Sure<T, PortEnergy>> {
+                None
+            }
+
+            #[inline(always)]
+            fn observing(self, _energy: T) -> Self {
+                self
+            }
+        }
+    )+};
+}
+
+// What has no account, and what has one that only its own step can keep.
+checked!(NoStabilizer, Member<T, (PortEnergy, Dissipation<T>)>);
 
 impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
@@ -152,7 +163,9 @@ impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
     fn cleared(self, lanes: T::Mask) -> Self {
         self.observing(T::choose(lanes, T::zero(), self.observed_energy()))
     }
+}
 
+impl<T: Scalar, C: Crediting<T>> Accounted<T> for Lolc<T, C, Held> {
     type Candidate = C;
 
     #[inline(always)]
@@ -176,6 +189,9 @@ impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
 pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Copy {
     fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
 
+    /// The damping that it credits, N·s/m.
+    fn damping(&self) -> T;
+
     /// Its decrease on a moderate sample: `square` is `v² T`, and the wall begins at `surface`.
     fn sure_decrease(&self, sample: &PortSample<T>, square: T, surface: T) -> T;
 }
@@ -183,6 +199,11 @@ pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Copy {
 impl<T: Scalar> Crediting<T> for PortEnergy {
     fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok(Self)
+    }
+
+    #[inline(always)]
+    fn damping(&self) -> T {
+        T::zero()
     }
 
     #[inline(always)]
@@ -197,8 +218,13 @@ impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T>) {
     }
 
     #[inline(always)]
+    fn damping(&self) -> T {
+        self.1.damping()
+    }
+
+    #[inline(always)]
     fn sure_decrease(&self, sample: &PortSample<T>, square: T, _surface: T) -> T {
-        sample.work + self.1.damping() * square
+        sample.work + self.damping() * square
     }
 }
 
@@ -208,8 +234,13 @@ impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T, InContact<T>>) {
     }
 
     #[inline(always)]
+    fn damping(&self) -> T {
+        self.1.damping()
+    }
+
+    #[inline(always)]
     fn sure_decrease(&self, sample: &PortSample<T>, square: T, surface: T) -> T {
-        let burnt = self.1.damping() * square;
+        let burnt = self.damping() * square;
         sample.work + T::choose(sample.position.above(surface), burnt, T::zero())
     }
 }

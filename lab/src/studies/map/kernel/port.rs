@@ -3,7 +3,7 @@
 use lyapunov::{Correction, Mask, OnePort, PortSample, Stabilizer, environments::Wall};
 
 use super::backward::{Fuse, Period};
-use super::parts::Laned;
+use super::parts::{Accounted, Crediting, Laned};
 use super::sure::{LARGE, MODERATE, SurePort};
 
 /// A wall that is asked on every `ticks`-th tick, a stabilizer before it, and velocities from the displacement over one
@@ -19,7 +19,7 @@ pub(super) struct StabilizedWall<T, S> {
     ticks: u64,
     left: u64,
     answer: T,
-    /// The wall's position where all numbers of the port are moderate, m.
+    /// The wall's position where all numbers of the wall are moderate, m.
     surface: Option<T>,
     /// The observed energy after ticks without checks, which the stabilizer does not have yet.
     ahead: Option<T>,
@@ -32,7 +32,7 @@ impl<T: Fuse, S: Stabilizer<T>> StabilizedWall<T, S> {
         Self { wall, stabilizer, period, ticks, left: 0, answer, surface: None, ahead: None }
     }
 
-    /// The same, all of whose numbers are moderate, with the wall at `surface`.
+    /// The same, with a wall at `surface` all of whose numbers are moderate.
     pub(super) fn sure(self, surface: T) -> Self {
         Self { surface: Some(surface), ..self }
     }
@@ -56,7 +56,7 @@ impl<T: Fuse, S: Stabilizer<T>> StabilizedWall<T, S> {
     }
 }
 
-impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
+impl<T: Fuse, S: Accounted<T>> StabilizedWall<T, S> {
     /// The port for ticks without checks; none where it has no such ticks.
     #[inline(always)]
     pub(super) fn unchecked(&self, sample: &PortSample<T>) -> Option<SurePort<T, S::Candidate>> {
@@ -68,6 +68,7 @@ impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
         // What an earlier tick brings into these.
         let [most, large] = [MODERATE, LARGE].map(T::of);
         let is_moderate = account.most.below(most)
+            & account.candidate.damping().below(most)
             & sample.displacement.magnitude().below(most)
             & answer.magnitude().below(large);
         let port =
@@ -88,6 +89,11 @@ impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
         &self.stabilizer
     }
 
+    /// The observed energy after ticks without checks, J; none after others.
+    pub(super) fn ahead(&self) -> Option<T> {
+        self.ahead
+    }
+
     /// Tells the stabilizer what it missed.
     #[inline(always)]
     pub(super) fn catch_up(&mut self) {
@@ -95,7 +101,9 @@ impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
             self.stabilizer = self.stabilizer.observing(energy);
         }
     }
+}
 
+impl<T: Fuse, S: Laned<T>> StabilizedWall<T, S> {
     /// Forgets the force and the account of some `lanes`.
     pub(super) fn clear(&mut self, lanes: T::Mask) {
         self.catch_up();

@@ -5,12 +5,12 @@ use pulp::NullaryFnOnce;
 
 use super::batch::Batch;
 use super::meter::{Meter, Watch};
-use super::parts::{Bodies, Laned};
+use super::parts::{Accounted, Bodies, Laned};
 use super::port::StabilizedWall;
 use super::seats::Seats;
 
 /// Ticks between two checks whether groups are decided.
-const STRETCH: u64 = 64;
+pub(super) const STRETCH: u64 = 64;
 
 /// The number of times that ticks of a group may be thrown away because they needed checks.
 const TRIES: u8 = 4;
@@ -33,14 +33,58 @@ pub(super) struct Loop<T: Batch, S> {
     pub(super) plant: Body<T>,
     pub(super) port: StabilizedWall<T, S>,
     pub(super) sample: PortSample<T>,
+    /// The number of times more that ticks without checks may turn out to need them.
+    pub(super) tries: u8,
 }
 
 impl<T: Batch, S: Stabilizer<T>> Loop<T, S> {
+    /// `plant` from its start on, at `port`.
+    pub(super) fn new(plant: Body<T>, port: StabilizedWall<T, S>) -> Self {
+        Self { plant, port, sample: plant.start(), tries: TRIES }
+    }
+
     #[inline(always)]
     pub(super) fn tick(&mut self, watch: &mut impl Watch<T>) {
         let correction = self.port.respond(&self.sample);
         watch.add(&self.sample, self.port.answer(), &correction);
         advance_by(correction.effort, &mut self.plant, &mut self.sample);
+    }
+}
+
+impl<T: Batch, S: Accounted<T>> Loop<T, S> {
+    /// Runs some ticks in registers.
+    #[inline(always)]
+    pub(super) fn run(&mut self, ticks: u64, mut watch: impl Watch<T>) {
+        self.port.catch_up();
+        let mut own = *self;
+        for _ in 0..ticks {
+            own.tick(&mut watch);
+        }
+        watch.end(ticks);
+        *self = own;
+    }
+
+    /// Runs some ticks [without checks](super::sure) and tells whether they needed none; else nothing has happened.
+    #[inline(always)]
+    pub(super) fn leap(&mut self, ticks: u64, mut watch: impl Watch<T>) -> bool {
+        if !T::IS_FUSED || self.tries == 0 {
+            return false;
+        }
+        let Some(mut port) = self.port.unchecked(&self.sample) else { return false };
+        let (mut plant, mut sample) = (self.plant, self.sample);
+        for _ in 0..ticks {
+            watch.place(sample.position);
+            let effort = port.respond(&sample);
+            advance_by(effort, &mut plant, &mut sample);
+        }
+        if !port.was_sure(watch.reach(), sample.position) {
+            self.tries -= 1;
+            return false;
+        }
+        watch.end(ticks);
+        self.port.follow(&port);
+        (self.plant, self.sample) = (plant, sample);
+        true
     }
 }
 
@@ -61,8 +105,6 @@ struct Group<T: Batch, S, M> {
     meter: M,
     /// The remaining ticks.
     left: u64,
-    /// The number of times more that ticks without checks may turn out to need them.
-    tries: u8,
     /// The lanes whose last row is finite; all of them before it.
     sound: T::Mask,
     first: usize,
@@ -73,38 +115,10 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     /// Runs some ticks in registers.
     #[inline(always)]
     fn run(&mut self, ticks: u64) {
-        if T::IS_FUSED && self.tries > 0 && self.leap(ticks) {
-            return;
+        let Self { looped, meter, .. } = self;
+        if !looped.leap(ticks, meter.watch()) {
+            looped.run(ticks, meter.watch());
         }
-        self.looped.port.catch_up();
-        let mut looped = self.looped;
-        let mut watch = self.meter.watch();
-        for _ in 0..ticks {
-            looped.tick(&mut watch);
-        }
-        watch.end(ticks);
-        self.looped = looped;
-    }
-
-    /// Runs some ticks [without checks](super::sure) and tells whether they needed none; else nothing has happened.
-    #[inline(always)]
-    fn leap(&mut self, ticks: u64) -> bool {
-        let Some(mut port) = self.looped.port.unchecked(&self.looped.sample) else { return false };
-        let (mut plant, mut sample) = (self.looped.plant, self.looped.sample);
-        let mut watch = self.meter.watch();
-        for _ in 0..ticks {
-            watch.place(sample.position);
-            let effort = port.respond(&sample);
-            advance_by(effort, &mut plant, &mut sample);
-        }
-        if !port.was_sure(watch.reach(), sample.position) {
-            self.tries -= 1;
-            return false;
-        }
-        watch.end(ticks);
-        self.looped.port.follow(&port);
-        (self.looped.plant, self.looped.sample) = (plant, sample);
-        true
     }
 
     /// Runs one tick in memory.
@@ -118,7 +132,7 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
     /// Puts lanes that left the range to rest: a stabilizer that rejects their samples takes twice as long for all lanes.
     #[inline(never)]
     fn rest(&mut self, lanes: T::Mask) {
-        let Loop { plant, port, sample } = &mut self.looped;
+        let Loop { plant, port, sample, .. } = &mut self.looped;
         let still = |value| T::choose(lanes, T::zero(), value);
         sample.position = still(sample.position);
         sample.velocity = still(sample.velocity);
@@ -146,10 +160,11 @@ impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
         let Some((first, lanes)) = self.seats.next(T::LANES) else { return Ok(None) };
         let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
         let (meter, plant) = (M::new(lanes)?, lanes.body(&mut self.bodies)?);
-        let (port, sample) = (lanes.port()?, plant.start());
-        let (looped, sound) = (Loop { plant, port, sample }, Mask::of(true));
-        let tries = if meter.needs_positions_only() { TRIES } else { 0 };
-        Ok(Some(Group { looped, meter, left, tries, sound, first, count }))
+        let (mut looped, sound) = (Loop::new(plant, lanes.port()?), Mask::of(true));
+        if !meter.needs_positions_only() {
+            looped.tries = 0;
+        }
+        Ok(Some(Group { looped, meter, left, sound, first, count }))
     }
 
     #[inline(never)]
