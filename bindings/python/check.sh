@@ -21,7 +21,6 @@ export VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH
 # In the profile of the tests, whose dependencies it finds built as far as their features agree.
 rm -rf "$target/wheels"
 step maturin build --quiet --profile dev --out "$target/wheels"
-step cargo clippy --package lyapunov-python --features pyo3/extension-module -- -D warnings
 pip install --quiet --force-reinstall --no-deps "$target"/wheels/*.whl
 step mypy --strict python/lyapunov
 step mypy --strict tests/typed.py

@@ -1,6 +1,5 @@
 //! Tests of the command from outside, one module for each thing that it is compared with.
 
-mod claims;
 mod cli;
 mod compare;
 mod contract;

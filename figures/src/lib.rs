@@ -40,6 +40,7 @@ mod page;
 mod palette;
 mod panel;
 mod picture;
+mod png;
 #[cfg(feature = "png")]
 mod raster;
 mod reference;

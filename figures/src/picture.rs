@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use miniz_oxide::deflate::compress_to_vec_zlib;
+
+use super::png::png;
 
 /// Level of the compression; above 6 it takes longer and gains next to nothing.
 const LEVEL: u8 = 6;
@@ -61,52 +62,14 @@ impl Picture {
             }
         }
         let palette = is_small.then(|| palette.concat());
-        format!("data:image/png;base64,{}", STANDARD.encode(png(self.size, palette, &lines)))
+        let bytes = png(self.size, palette.as_deref(), &lines, LEVEL);
+        format!("data:image/png;base64,{}", STANDARD.encode(bytes))
     }
-}
-
-/// PNG (ISO/IEC 15948) of `lines`, every line after its filter byte: of 8-bit indices into the `palette`, or else of red,
-/// green and blue, 8 bits each.
-fn png([columns, rows]: [u32; 2], palette: Option<Vec<u8>>, lines: &[u8]) -> Vec<u8> {
-    let mut bytes = b"\x89PNG\r\n\x1a\n".to_vec();
-    // 8 bits, the colour type, and 0 for compression, filter and interlace methods.
-    let form = [8, if palette.is_some() { 3 } else { 2 }, 0, 0, 0];
-    chunk(&mut bytes, b"IHDR", &[&columns.to_be_bytes()[..], &rows.to_be_bytes(), &form].concat());
-    if let Some(palette) = palette {
-        chunk(&mut bytes, b"PLTE", &palette);
-    }
-    chunk(&mut bytes, b"IDAT", &compress_to_vec_zlib(lines, LEVEL));
-    chunk(&mut bytes, b"IEND", &[]);
-    bytes
-}
-
-fn chunk(bytes: &mut Vec<u8>, name: &[u8; 4], content: &[u8]) {
-    bytes.extend((content.len() as u32).to_be_bytes());
-    let start = bytes.len();
-    bytes.extend_from_slice(name);
-    bytes.extend_from_slice(content);
-    let check = crc32(&bytes[start..]);
-    bytes.extend(check.to_be_bytes());
-}
-
-/// Cyclic redundancy check of PNG, bit by bit.
-fn crc32(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(u32::MAX, |check, byte| {
-        (0..8).fold(check ^ u32::from(*byte), |check, _| {
-            (check >> 1) ^ (0xedb8_8320 & (check & 1).wrapping_neg())
-        })
-    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The check value of the catalogue of CRC algorithms (CRC-32/ISO-HDLC).
-    #[test]
-    fn the_check_is_the_published_one() {
-        assert_eq!(crc32(b"123456789"), 0xcbf4_3926);
-    }
 
     #[test]
     fn no_bitmap_is_without_pixels() {

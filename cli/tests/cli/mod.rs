@@ -9,6 +9,7 @@ mod bad_output;
 mod bad_scene;
 mod bad_usage;
 mod checkpoint;
+mod claims;
 mod disaster;
 mod effects;
 mod fault;

@@ -35,7 +35,9 @@ fn the_folder_holds_figures_and_rows_and_nothing_else_changes() {
     assert_eq!(place.names("new/figures"), files.collect::<Vec<_>>());
 
     let before = place.contents();
-    place.run(["paper", "--out", "new/figures"]).ended(0, &[]);
+    let told = place.run(["paper", "--out", "new/figures", "--json"]);
+    told.ended(0, &[]);
+    assert_eq!(told.out, place.text("new/figures/claims.json"));
     assert_eq!(place.contents(), before);
     for n in 6..=9 {
         picture(&place.path(format!("new/figures/figure-{n}")));
@@ -56,11 +58,4 @@ fn picture(stem: &Path) {
     assert_eq!(png.height(), (2.0 * size.height()).ceil() as u32);
     let first = png.pixels()[0];
     assert!(png.pixels().iter().any(|pixel| *pixel != first));
-}
-
-#[test]
-fn the_folder_is_paper_unless_told_otherwise() {
-    let place = Place::new();
-    place.run(["paper"]).ended(0, &["are in paper"]);
-    assert_eq!(place.names("."), ["paper"]);
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// Reason why a figure could not be made into a PNG.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum ChartError {
     /// The scale is not a positive finite number.
@@ -18,11 +18,6 @@ pub enum ChartError {
         /// Height of the rejected picture, in pixels.
         height: f64,
     },
-    /// The pixels could not be encoded.
-    Encoding {
-        /// Message of the encoder.
-        reason: String,
-    },
 }
 
 impl fmt::Display for ChartError {
@@ -34,7 +29,6 @@ impl fmt::Display for ChartError {
             Self::TooLarge { width, height } => {
                 write!(formatter, "a picture of {width} by {height} pixels is too large")
             }
-            Self::Encoding { reason } => write!(formatter, "the picture was not encoded: {reason}"),
         }
     }
 }

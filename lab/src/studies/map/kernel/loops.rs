@@ -145,7 +145,7 @@ impl Loops<'_> {
         prove: &(dyn Fn() + Sync),
         run: impl Fn(Ticks<'_, T, S>) + Sync,
     ) -> Result<Ends, ParameterError> {
-        let width = T::BESIDE * T::LANES;
+        let (width, are_moderate) = (T::BESIDE * T::LANES, self.are_moderate());
         let start = || {
             prove();
             Bodies::none()
@@ -153,7 +153,8 @@ impl Loops<'_> {
         let shares =
             (0..self.count.div_ceil(width)).into_par_iter().map_init(start, |bodies, at| {
                 let starts = (at * width..self.count.min((at + 1) * width)).step_by(T::LANES);
-                let groups = starts.map(|first| self.group(first, bodies, stabilizer));
+                let groups =
+                    starts.map(|first| self.group(first, bodies, stabilizer, are_moderate));
                 let mut groups = groups.collect::<Result<Vec<_>, _>>()?;
                 run(Ticks { groups: &mut groups, ticks: self.ticks });
                 Ok::<_, ParameterError>(groups.iter().flat_map(Group::ends).collect())
@@ -176,6 +177,7 @@ impl Loops<'_> {
         first: usize,
         bodies: &mut Bodies<T>,
         stabilizer: S,
+        are_moderate: bool,
     ) -> Result<Group<T, S>, ParameterError> {
         let Impedance { mass, damping, stiffness } = self.impedance;
         let impedance = Impedance {
@@ -188,7 +190,7 @@ impl Loops<'_> {
         let wall = Wall::new(self.wall_stiffness.lanes(first), self.wall_damping.lanes(first))?;
         let surface = self.wall_position.lanes(first);
         let port = StabilizedWall::new(wall.at(surface), 1, stabilizer, self.period);
-        let port = if self.are_moderate() { port.sure(surface) } else { port };
+        let port = if are_moderate { port.sure(surface) } else { port };
         Ok(Group {
             looped: Loop::new(plant, port),
             seen: Seen { energy: T::zero(), reach: T::zero() },
@@ -260,11 +262,13 @@ impl<T: Batch, S: Accounted<T>> Group<T, S> {
     #[inline(always)]
     fn run(&mut self, ticks: u64) {
         let Self { looped, seen, .. } = self;
-        for from in (0..ticks).step_by(STRETCH as usize) {
-            let ticks = STRETCH.min(ticks - from);
+        let mut left = ticks;
+        while left > 0 {
+            let ticks = STRETCH.min(left);
             if !looped.leap(ticks, seen.watch()) {
                 looped.run(ticks, seen.watch());
             }
+            left -= ticks;
         }
     }
 
@@ -294,9 +298,15 @@ impl<T: Batch, S: Accounted<T>> Ticks<'_, T, S> {
     #[inline(always)]
     fn run(&mut self, ticks: u64) {
         if T::IN_REGISTERS {
-            self.groups.iter_mut().for_each(|group| group.run(ticks));
+            for group in self.groups.iter_mut() {
+                group.run(ticks);
+            }
         } else {
-            (0..ticks).for_each(|_| self.groups.iter_mut().for_each(Group::tick));
+            for _ in 0..ticks {
+                for group in self.groups.iter_mut() {
+                    group.tick();
+                }
+            }
         }
     }
 }
@@ -310,7 +320,9 @@ impl<T: Batch, S: Accounted<T>> NullaryFnOnce for Ticks<'_, T, S> {
         let half = self.ticks.div_ceil(2);
         let first = self.ticks.min(half + 1);
         self.run(first);
-        self.groups.iter_mut().for_each(|group| group.seen.reach = T::zero());
+        for group in self.groups.iter_mut() {
+            group.seen.reach = T::zero();
+        }
         self.run(self.ticks - first);
         if self.ticks > half {
             for Group { looped, seen } in self.groups {

@@ -1,32 +1,22 @@
 //! The claims of the paper in the command's output: table, JSON and page.
 
-use std::process::Command;
+use crate::cli::place::Place;
 
 #[test]
 fn the_command_prints_what_it_writes() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let run = |extra: &[&str]| {
-        let output = Command::new(env!("CARGO_BIN_EXE_lyapunov"))
-            .arg("paper")
-            .arg("--out")
-            .arg(folder.path())
-            .args(extra)
-            .output()
-            .expect("the command");
-        assert!(output.status.success());
-        String::from_utf8(output.stdout).expect("text")
-    };
-    let table = run(&[]);
+    let place = Place::new();
+    let said = place.run(["paper"]);
+    said.ended(0, &["are in paper"]);
+    assert_eq!(place.names("."), ["paper"]);
+    let table = &said.out;
     assert!(table.lines().all(|line| line.chars().count() <= 100), "{table}");
-    let quoted = include_str!("../../docs/paper.md");
+    let quoted = include_str!("../../../docs/paper.md");
     // The last line names the folder.
     let (tables, _) = table.trim_end().rsplit_once("\n\n").expect("tables and a line");
     for line in tables.lines() {
         assert!(quoted.contains(line), "docs/paper.md does not say {line:?}");
     }
-    let printed = run(&["--json"]);
-    let written = std::fs::read_to_string(folder.path().join("claims.json")).expect("claims.json");
-    assert_eq!(printed, written);
+    let written = place.text("paper/claims.json");
     let json: serde_json::Value = serde_json::from_str(&written).expect("json");
     assert_eq!(json["draws"], serde_json::json!({ "count": 1000, "seed": 1 }));
     let rows = json["rows"].as_array().expect("rows");
@@ -49,7 +39,7 @@ fn the_command_prints_what_it_writes() {
             assert!(judged.get(key).is_some(), "{key}");
         }
     }
-    let page = std::fs::read_to_string(folder.path().join("report.html")).expect("report.html");
+    let page = place.text("paper/report.html");
     assert!(page.matches("<svg").count() == 4);
     let (_, verdicts) = page.split_once("<h2>Claims</h2>").expect("claims");
     let (verdicts, _) = verdicts.split_once("</table>").expect("a table");
@@ -60,9 +50,9 @@ fn the_command_prints_what_it_writes() {
     {
         assert!(page.contains(part), "{part}");
     }
-    let others = run(&["--draws", "50", "--seed", "2", "--json"]);
+    let others = place.run(["paper", "--draws", "50", "--seed", "2", "--json"]).out;
     let others: serde_json::Value = serde_json::from_str(&others).expect("json");
     assert_eq!(others["draws"], serde_json::json!({ "count": 50, "seed": 2 }));
     assert!(others["rows"][0]["ours"]["of"] == 50);
-    assert_eq!(run(&["--draws", "5", "--quiet"]), "");
+    assert_eq!(place.run(["paper", "--draws", "5", "--quiet"]).out, "");
 }
