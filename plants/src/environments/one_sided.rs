@@ -5,9 +5,14 @@ use lyapunov_core::Scalar;
 /// `force` where it pushes at a `depth` above 0, else 0.
 #[inline(always)]
 pub(super) fn one_sided<T: Scalar>(depth: T, force: T) -> T {
-    // In this form a NaN does not pass for "no contact": it stays NaN, for a guard or stabilizer to reject.
-    let free = depth.below(T::smallest_positive()) | force.below(T::zero());
-    T::choose(free, T::zero(), force)
+    // In these forms a NaN does not pass for "no contact": it stays NaN, for a guard or stabilizer to reject. One number
+    // jumps over the force where there is no contact; lanes cannot, and a maximum is one operation. The bits are the same.
+    let (zero, is_free) = (T::zero(), depth.below(T::smallest_positive()));
+    if T::LANES == 1 {
+        T::choose(is_free | force.below(zero), zero, force)
+    } else {
+        T::choose(is_free, zero, zero.larger(force))
+    }
 }
 
 /// The energy that a spring of `stiffness` N/m stores at a `depth`, J; 0 above the surface.

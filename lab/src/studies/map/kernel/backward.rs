@@ -95,12 +95,6 @@ impl<T: Fuse> Period<T> {
         let beyond = near.fused(self.period, -moved);
         (-beyond).fused(self.inverse, near)
     }
-
-    /// The period, s.
-    #[inline(always)]
-    pub(super) fn seconds(&self) -> T {
-        self.period
-    }
 }
 
 #[cfg(test)]

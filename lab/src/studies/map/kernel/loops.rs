@@ -146,9 +146,12 @@ impl Loops<'_> {
         run: impl Fn(Ticks<'_, T, S>) + Sync,
     ) -> Result<Ends, ParameterError> {
         let (width, are_moderate) = (T::BESIDE * T::LANES, self.are_moderate());
+        let mut first = Bodies::none();
+        self.group(0, &mut first, stabilizer, are_moderate)?;
+        // Loops with one body in common have it from here.
         let start = || {
             prove();
-            Bodies::none()
+            first.clone()
         };
         let shares =
             (0..self.count.div_ceil(width)).into_par_iter().map_init(start, |bodies, at| {

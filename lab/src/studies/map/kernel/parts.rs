@@ -81,7 +81,7 @@ impl<'a> Lanes<'a> {
 }
 
 /// The last body: its exact motion is computed once, not for each group of cells.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Bodies<T: Scalar>(Option<(Impedance<T>, T, Body<T>)>);
 
 impl<T: Scalar> Bodies<T> {

@@ -41,7 +41,7 @@ pub(super) struct SurePort<T, C> {
     pub(super) account: Account<T, C>,
     /// The wall's position, m.
     pub(super) surface: T,
-    /// The least `v² T` of a tick that moved.
+    /// The least |displacement| of a tick that moved, m.
     pub(super) least: T,
 }
 
@@ -58,8 +58,8 @@ impl<T: Fuse, C: Crediting<T>> SurePort<T, C> {
         self.left -= 1;
         let square = velocity * velocity * sample.period;
         let zero = T::zero();
-        let moves = moved.above(zero) | moved.below(zero);
-        self.least = T::choose(moves, self.least.smaller(square), self.least);
+        let size = moved.magnitude();
+        self.least = T::choose(size.above(zero), self.least.smaller(size), self.least);
         let Account { energy, most, candidate } = &mut self.account;
         *energy += candidate.sure_decrease(sample, square, self.surface);
         // Without motion this is infinite or NaN, and alpha is any number from 0 to the most, of which nothing comes.
@@ -72,8 +72,8 @@ impl<T: Fuse, C: Crediting<T>> SurePort<T, C> {
     /// passes over a NaN, and `position` the present one, which does not.
     #[inline(always)]
     pub(super) fn was_sure(&self, reach: T, position: T) -> bool {
-        // The square of a velocity at the end of the range of the quotient, twice, for what is rounded.
-        let least = T::of(2.0) * T::smallest_normal() / self.period.seconds();
+        // The end of the range of the quotient, twice, for what is rounded: `v² T` is above the smallest normal number.
+        let least = T::of(2.0) * T::smallest_normal().sqrt();
         let near = reach.below(T::of(MODERATE)) & position.finite();
         let paid = self.account.energy.magnitude().below(T::of(LARGE));
         (near & paid & self.least.above(least)).all()
