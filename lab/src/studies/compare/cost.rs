@@ -20,6 +20,9 @@ const ROUNDS: usize = 31;
 /// The least number of steps in a round: long compared with one reading of the clock.
 const STEPS: usize = 1 << 15;
 
+/// The time from which on a round may have fewer steps, such as those of a stabilizer that an interpreter runs.
+const LONG: Duration = Duration::from_millis(10);
+
 /// The samples and efforts that a stabilizer got, tick by tick.
 pub(super) type Samples<V> = Vec<(PortSample<V>, V)>;
 
@@ -34,17 +37,18 @@ pub(super) fn of<V: Space>(
     entrants: &[Entrant<V>],
     samples: &[Samples<V>],
 ) -> Result<Vec<Option<StepTime>>, ParameterError> {
-    let step = |at: usize| {
-        let (entrant, samples) = (&entrants[at], &samples[at]);
-        let passes = STEPS.div_ceil(samples.len().max(1));
-        let elapsed = replay(scene, entrant, samples, passes)?;
+    // One pass before the rounds warms up, and tells how many make a round.
+    let passes = entrants.iter().zip(samples).map(|(entrant, samples)| {
+        let one = replay(scene, entrant, samples, 1)?;
+        let enough = LONG.div_duration_f64(one.max(Duration::from_nanos(1))).ceil() as usize;
+        Ok(STEPS.div_ceil(samples.len().max(1)).min(enough))
+    });
+    let passes = passes.collect::<Result<Vec<_>, ParameterError>>()?;
+    let times = Rounds::of(entrants.len(), ROUNDS, |_, at| {
+        let (samples, passes) = (&samples[at], passes[at]);
+        let elapsed = replay(scene, &entrants[at], samples, passes)?;
         Ok::<_, ParameterError>(elapsed.as_secs_f64() * 1e9 / (passes * samples.len()) as f64)
-    };
-    // The round before the first warms up.
-    for at in 0..entrants.len() {
-        step(at)?;
-    }
-    let times = Rounds::of(entrants.len(), ROUNDS, |_, at| step(at))?;
+    })?;
     let told = samples.iter().enumerate().map(|(at, samples)| {
         let ([_, median, _], [min, max]) = (times.quartiles(at), times.extremes(at));
         let time = StepTime { median, min, max, rounds: ROUNDS, deterministic: false };
