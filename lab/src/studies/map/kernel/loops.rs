@@ -214,7 +214,7 @@ struct Group<T: Batch, S> {
     seen: Seen<T>,
 }
 
-/// What was seen of some ticks.
+/// The view of some ticks.
 #[derive(Clone, Copy)]
 struct Seen<T> {
     /// The observed energy of the last tick with checks, J.
@@ -223,7 +223,7 @@ struct Seen<T> {
     reach: T,
 }
 
-/// The same along some ticks.
+/// The view while ticks run, written back at their end.
 struct Seeing<'a, T> {
     seen: Seen<T>,
     into: &'a mut Seen<T>,
