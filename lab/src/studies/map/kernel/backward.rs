@@ -91,6 +91,9 @@ impl<T: Fuse> Period<T> {
     /// [`divide`](Self::divide) for a `moved` that is 0 or far from the ends of the range.
     #[inline(always)]
     pub(super) fn divide_near(&self, moved: T) -> T {
+        if !T::IS_FUSED {
+            return moved / self.period;
+        }
         let near = moved * self.inverse;
         let beyond = near.fused(self.period, -moved);
         (-beyond).fused(self.inverse, near)

@@ -67,7 +67,7 @@ impl<T: Batch, S: Accounted<T>> Loop<T, S> {
     /// Runs some ticks [without checks](super::sure) and tells whether they needed none; else nothing has happened.
     #[inline(always)]
     pub(super) fn leap(&mut self, ticks: u64, mut watch: impl Watch<T>) -> bool {
-        if !T::IS_FUSED || self.tries == 0 {
+        if !T::IN_REGISTERS || self.tries == 0 {
             return false;
         }
         let Some(mut port) = self.port.unchecked(&self.sample) else { return false };

@@ -55,7 +55,7 @@ macro_rules! logic {
 macro_rules! vectors {
     ($lanes:ident of $real:ident in $vector:ident, $mask:ident in $bits:ident,
         $splat:ident $add:ident $sub:ident $mul:ident $div:ident $neg:ident $abs:ident $sqrt:ident
-        $min:ident $max:ident $fused:ident, $less:ident $select:ident $first:ident
+        $smaller:ident $larger:ident $fused:ident, $less:ident $select:ident $first:ident
         $and:ident $or:ident $xor:ident) => {
         /// Lanes in `N` vectors of the instructions `S`.
         #[derive(Clone, Copy)]
@@ -237,18 +237,12 @@ macro_rules! vectors {
 
             #[inline(always)]
             fn larger(self, other: Self) -> Self {
-                self.with(other, |proof, one, other| match S::CHOOSES {
-                    true => proof.$max(one, other),
-                    false => proof.$select(proof.$less(other, one), one, other),
-                })
+                self.with(other, |proof, one, other| proof.$larger(one, other))
             }
 
             #[inline(always)]
             fn smaller(self, other: Self) -> Self {
-                self.with(other, |proof, one, other| match S::CHOOSES {
-                    true => proof.$min(one, other),
-                    false => proof.$select(proof.$less(one, other), one, other),
-                })
+                self.with(other, |proof, one, other| proof.$smaller(one, other))
             }
 
             #[inline(always)]
@@ -328,13 +322,13 @@ macro_rules! vectors {
 
 vectors! {
     F64s of f64 in f64s, F64Mask in m64s,
-    splat_f64s add_f64s sub_f64s mul_f64s div_f64s neg_f64s abs_f64s sqrt_f64s min_f64s max_f64s mul_add_f64s,
+    splat_f64s add_f64s sub_f64s mul_f64s div_f64s neg_f64s abs_f64s sqrt_f64s smaller_f64s larger_f64s mul_add_f64s,
     less_than_f64s select_f64s first_true_m64s and_m64s or_m64s xor_m64s
 }
 
 #[cfg(target_arch = "x86_64")]
 vectors! {
     F32s of f32 in f32s, F32Mask in m32s,
-    splat_f32s add_f32s sub_f32s mul_f32s div_f32s neg_f32s abs_f32s sqrt_f32s min_f32s max_f32s mul_add_f32s,
+    splat_f32s add_f32s sub_f32s mul_f32s div_f32s neg_f32s abs_f32s sqrt_f32s smaller_f32s larger_f32s mul_add_f32s,
     less_than_f32s select_f32s first_true_m32s and_m32s or_m32s xor_m32s
 }
