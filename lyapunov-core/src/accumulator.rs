@@ -11,6 +11,13 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
     /// The empty sum.
     fn zero() -> Self;
 
+    /// The sum of `energy` alone; the empty sum where that is not finite.
+    fn holding(energy: T) -> Self {
+        let mut sum = Self::zero();
+        sum.book(energy);
+        sum
+    }
+
     /// Adds `term`.
     fn add(&mut self, term: T);
 

@@ -34,9 +34,13 @@ impl<C, T: Scalar> Observer<C, Held, Plain<T>> {
 }
 
 impl<C, W: Work, A> Observer<C, W, A> {
-    /// The same candidate, with an empty ledger of another kind of work or sum.
-    pub fn booking<X: Work, B: Accumulator<T>, T: Scalar>(self) -> Observer<C, X, B> {
-        Observer { candidate: self.candidate, ledger: Ledger::new() }
+    /// The same candidate and observed energy, over another kind of work or in another sum.
+    pub fn booking<X: Work, B: Accumulator<T>, T: Scalar>(self) -> Observer<C, X, B>
+    where
+        A: Accumulator<T>,
+    {
+        let sum = B::holding(self.ledger.energy());
+        Observer { candidate: self.candidate, ledger: Ledger::in_sum(sum) }
     }
 
     /// The candidate's decrease over the sample, J; `effort` is the response of the port behind the observer, N.

@@ -62,7 +62,8 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
 
     /// The same stabilizer with its energies summed in a `B`.
     pub fn summed_in<B: Accumulator<T>>(self) -> Lolc<T, C, W, B> {
-        self.summed_by(B::zero())
+        let sum = B::holding(self.observer.ledger.energy());
+        self.summed_by(sum)
     }
 
     /// The same stabilizer with its energies summed in `sum`, from the present value of `sum` on.

@@ -96,8 +96,8 @@ impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
 
     /// The same bound with its energies summed in a `B`.
     pub fn summed_in<B: Accumulator<V::Scalar>>(self) -> SlopeBound<V, B> {
-        let Self { slope, creep, asked, held, .. } = self;
-        SlopeBound { slope, creep, asked, held, energy: B::zero() }
+        let Self { slope, creep, asked, held, energy } = self;
+        SlopeBound { slope, creep, asked, held, energy: B::holding(energy.value()) }
     }
 }
 

@@ -64,7 +64,7 @@ pub trait StabilizerExt: Sized {
     /// The same stabilizer, with a correction that rises over the first `ticks` ticks of each engagement.
     ///
     /// # Errors
-    /// `ticks` is 0.
+    /// `ticks` is 0, or more than the scalar can count.
     fn rising_over<T: Scalar>(self, ticks: u32) -> Result<SoftStart<Self, T>, ParameterError> {
         SoftStart::new(self, ticks)
     }

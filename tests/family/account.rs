@@ -3,10 +3,10 @@
 use std::collections::VecDeque;
 
 use lyapunov::{
-    HeldTick, PortSample, Stabilizer,
+    DampingLimit, HeldTick, PortEnergy, PortSample, Stabilizer,
     accumulators::{Accumulator, Compensated, Plain, Wide},
     candidates::InContact,
-    stabilizers::{Account, StabilizerExt, WindowedCredit},
+    stabilizers::{Account, ForceBound, LeastNorm, StabilizerExt, WindowedCredit},
 };
 
 use crate::support::{Dice, PERIOD, popc};
@@ -140,6 +140,7 @@ fn what_cannot_be_right_is_refused() {
     assert!(popc::<f64>().above_velocity(1e200_f64).is_err());
     assert!(popc::<f64>().spread_over::<f64>(0).is_err());
     assert!(popc::<f64>().rising_over::<f64>(0).is_err());
+    assert!(popc::<f32>().rising_over::<f32>((1 << 24) + 2).is_err());
     assert!(popc::<f64>().rate_limited::<f64>(-1.0).is_err());
     assert!(WindowedCredit::<f64, Plain<f64>, 4>::of_ticks(0).is_err());
 }
@@ -155,4 +156,19 @@ fn a_budget_is_in_the_account() {
     assert_eq!(compensated.observed_energy(), 1e-3);
     let wide = popc.summed_in::<Wide<f64>>().budgeted(1e-3).expect("a budget");
     assert_eq!(wide.observed_energy(), 1e-3);
+}
+
+/// A budget goes along into another sum and to another kind of work, whichever is asked for first.
+#[test]
+fn a_budget_goes_along() {
+    let budgeted = popc::<f64>().budgeted(1e-3).expect("a budget");
+    assert_eq!(budgeted.sampled().observed_energy(), 1e-3);
+    assert_eq!(budgeted.summed_in::<Compensated<f64>>().observed_energy(), 1e-3);
+    assert_eq!(budgeted.sampled().summed_in::<Wide<f64>>().observed_energy(), 1e-3);
+    let bound = ForceBound::new(1.0).and_then(|it| it.budgeted(2e-3)).expect("a budget");
+    assert_eq!(bound.summed_in::<Wide<f64>>().observed_energy(), 2e-3);
+    let limit = DampingLimit::at(1.0).expect("a limit");
+    let filter = LeastNorm::new(PortEnergy, limit, 0.5).and_then(|it| it.budgeted(3e-3));
+    let filter = filter.expect("a budget");
+    assert_eq!(filter.summed_in::<Compensated<f64>>().observed_energy(), 3e-3);
 }

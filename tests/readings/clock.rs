@@ -22,7 +22,7 @@ fn told(times: &[f64]) -> Vec<(f64, bool)> {
 
 #[test]
 fn times_count_as_they_are_defined_to() {
-    let table: [Case; 8] = [
+    let table: [Case; 10] = [
         ("in time", &[70.0, 71.0, 72.0], &[(1.0, true), (1.0, true), (1.0, true)]),
         ("late, then early", &[0.0, 3.0, 3.5], &[(1.0, true), (3.0, true), (0.5, true)]),
         ("NaN", &[5.0, f64::NAN, 7.0], &[(1.0, true), (1.0, false), (1.0, true)]),
@@ -31,6 +31,16 @@ fn times_count_as_they_are_defined_to() {
             "too coarse",
             &[4.0, 4.0, 6.0, 6.0],
             &[(1.0, true), (1.0, false), (1.0, true), (1.0, false)],
+        ),
+        (
+            "standing",
+            &[4.0, 4.0, 4.0, 8.0],
+            &[(1.0, true), (1.0, false), (1.0, false), (2.0, true)],
+        ),
+        (
+            "standing longer than it goes on",
+            &[4.0, 4.0, 4.0, 5.0, 6.0],
+            &[(1.0, true), (1.0, false), (1.0, false), (1.0, false), (1.0, true)],
         ),
         ("set back", &[900.0, 2.0, 3.0], &[(1.0, true), (1.0, false), (1.0, true)]),
         ("NaN at first", &[f64::NAN, 8.0, 9.0], &[(1.0, false), (1.0, true), (1.0, true)]),
@@ -47,6 +57,15 @@ fn a_clock_that_stands_counts_periods() {
     let (first, rest) = (told(&[3.0; 50])[0], told(&[3.0; 50])[1..].to_vec());
     assert_eq!(first, (1.0, true));
     assert!(rest.iter().all(|&tick| tick == (1.0, false)));
+}
+
+/// A clock that goes on once in ten ticks counts as many periods as there were.
+#[test]
+fn a_coarse_clock_keeps_time() {
+    let times: Vec<f64> = (0..300).map(|tick| f64::from(tick / 10 * 10)).collect();
+    let told = told(&times);
+    assert_eq!(told.iter().map(|(period, _)| period).sum::<f64>(), 300.0);
+    assert!(told.iter().enumerate().all(|(tick, (_, timed))| *timed == (tick % 10 == 0)));
 }
 
 /// A tick is late from one and a half periods on.

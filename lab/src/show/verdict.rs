@@ -68,7 +68,7 @@ impl Summary {
         let (ticks, scene) = (self.scene.ticks(), &self.scene);
         match self.fate.criterion(0).shortage {
             Some(Shortage::Swings(period)) => {
-                let length = given(ticks as f64 * scene.period());
+                let length = given(scene.end());
                 format!("{length} s is less than two swings of {} s", found(period))
             }
             Some(Shortage::Answers(least)) => {

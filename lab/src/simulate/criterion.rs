@@ -113,8 +113,7 @@ impl Shortage {
             return Some(Self::Answers(least));
         }
         let period = slowest_swing(scene);
-        let length = scene.ticks() as f64 * scene.period();
-        (length < SWINGS * period * (1.0 - ROUNDING)).then_some(Self::Swings(period))
+        (scene.end() < SWINGS * period * (1.0 - ROUNDING)).then_some(Self::Swings(period))
     }
 }
 

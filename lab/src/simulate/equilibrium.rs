@@ -115,7 +115,7 @@ fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
     }
     let force = |x: f64| law.force(&Kinematics::at(x, 0.0));
     // A force that grows with the position is no larger than at `free` on the way there.
-    let reach = force(free).abs() / pull;
+    let reach = (force(free).abs() / pull).min(f64::MAX / 4.0);
     let [mut low, mut high] = surface.map_or([free - reach, free + reach], |it| [it, free]);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
@@ -169,7 +169,7 @@ fn last_push(scene: &Draft) -> f64 {
 /// Rest position of the operator's spring at the end, m; none if it still moves.
 fn last_rest(scene: &Draft) -> Option<f64> {
     let rest = scene.operator.rest.get();
-    let end = scene.ticks() as f64 * scene.period();
+    let end = scene.end();
     match &scene.operator.motion {
         None => Some(rest),
         Some(Motion::Step { at, to }) => {

@@ -172,4 +172,13 @@ mod tests {
         let ramp = scene(&HAND.replace(" }\n", &format!(", {motion}")), WALL);
         assert!(never_rests(&ramp) && equilibria(&ramp).is_empty());
     }
+
+    /// The last of 98 ticks at 49 Hz is at 2 s, though 98 times the period, rounded, is less.
+    #[test]
+    fn a_motion_that_ends_with_the_run_rests() {
+        let hand = HAND.replace("20.0\nservo_rate = 1000.0", "2.0\nservo_rate = 49.0");
+        let ramp = "rest = 1.0, motion = { kind = \"ramp\", at = 1.0, to = 0.0, rate = 1.0 }";
+        let ramp = scene(&hand.replace("rest = 0.005", ramp), WALL);
+        assert!(!never_rests(&ramp) && !equilibria(&ramp).is_empty());
+    }
 }

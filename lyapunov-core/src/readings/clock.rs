@@ -17,10 +17,10 @@ pub struct Steady;
 /// | time of a reading | counts as | the clock is taken to have gone on |
 /// |---|---|---|
 /// | the first one | a period | from there |
-/// | later than the last | the time between | from there |
+/// | later than where the clock was taken to be | the time between | from there |
 /// | NaN or infinite | a period | by a period |
 /// | the same as the last, as of a clock too coarse | a period | by a period |
-/// | before the last: a clock set back, or a counter that overflowed | a period | from there |
+/// | any other: a clock set back, a counter that overflowed, less than was counted while it stood | a period | from there |
 ///
 /// ```
 /// use lyapunov_core::{Reading, Readings};
@@ -40,7 +40,16 @@ pub struct Steady;
 /// Held work does not depend on time at all; the credit of a damper, and what a correction is said to dissipate, do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Clocked {
-    last: Option<f64>,
+    last: Option<Times>,
+}
+
+/// Two times of a clock, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Times {
+    /// The last time told.
+    told: f64,
+    /// The time that the periods told so far reach: beyond `told` while the clock stands.
+    reached: f64,
 }
 
 impl Clocked {
@@ -51,30 +60,36 @@ impl Clocked {
     /// The time from the last reading to `now`, s, and whether it is known; else it is a `period`.
     #[inline]
     fn elapsed<T: Scalar>(&mut self, now: f64, period: T) -> (T, bool) {
-        let whole = period.lane(0);
-        let Some(last) = self.last else {
-            self.last = Some(now).filter(|now| now.is_finite());
+        let Some(Times { told, reached }) = self.last else {
+            self.last = now.is_finite().then_some(Times { told: now, reached: now });
             return (period, self.last.is_some());
         };
-        let elapsed = T::of(now - last);
-        let forth = now > last && elapsed.lane(0) > 0.0 && elapsed.lane(0).is_finite();
-        let stands = now == last || !now.is_finite();
-        self.last = Some(if stands { last + whole } else { now });
+        let elapsed = T::of(now - reached);
+        let forth = now > reached && elapsed.lane(0) > 0.0 && elapsed.lane(0).is_finite();
+        let stands = now == told || !now.is_finite();
+        let told = if now.is_finite() { now } else { told };
+        let reached = if stands { reached + period.lane(0) } else { now };
+        self.last = Some(Times { told, reached });
         (T::choose(Mask::of(forth), elapsed, period), forth)
     }
 }
 
 impl Snapshot for Clocked {
-    type State = Option<f64>;
+    /// The last time told, and the time that the periods reach.
+    type State = Option<[f64; 2]>;
 
-    fn state(&self) -> Option<f64> {
-        self.last
+    fn state(&self) -> Self::State {
+        self.last.map(|Times { told, reached }| [told, reached])
     }
 
-    fn restored(self, last: Option<f64>) -> Result<Self, ParameterError> {
-        if let Some(last) = last {
-            Requirement::Finite.check("stored time", last)?;
-        }
+    fn restored(self, last: Self::State) -> Result<Self, ParameterError> {
+        let checked = |time| Requirement::Finite.check("stored time", time);
+        let last = match last {
+            None => None,
+            Some([told, reached]) => {
+                Some(Times { told: checked(told)?, reached: checked(reached)? })
+            }
+        };
         Ok(Self { last })
     }
 }

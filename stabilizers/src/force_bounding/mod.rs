@@ -111,8 +111,8 @@ impl<T: Scalar, D, R, A: Accumulator<T>, const N: usize> ForceBounding<T, D, R, 
 
     /// The same bound with its energies summed in a `B`.
     pub fn summed_in<B: Accumulator<T>>(self) -> ForceBounding<T, D, R, B, N> {
-        let Self { damping, pipe, reset, .. } = self;
-        ForceBounding { damping, energy: B::zero(), pipe, reset }
+        let Self { damping, energy, pipe, reset } = self;
+        ForceBounding { damping, energy: B::holding(energy.value()), pipe, reset }
     }
 }
 

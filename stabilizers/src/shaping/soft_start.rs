@@ -34,9 +34,15 @@ pub struct SoftStart<S, T> {
     engaged: T,
 }
 
+/// A number of ticks to which the scalar can count in steps of 1.
+fn countable<T: Scalar>(ticks: u32) -> Result<T, ParameterError> {
+    let most = (T::of(2.0) / T::epsilon()).lane(0);
+    Requirement::AtMost(most).check("rise ticks", whole("rise ticks", ticks)?)
+}
+
 impl<S, T: Scalar> SoftStart<S, T> {
     pub(crate) fn new(stabilizer: S, ticks: u32) -> Result<Self, ParameterError> {
-        let ticks = whole("rise ticks", ticks)?;
+        let ticks = countable(ticks)?;
         Ok(Self { stabilizer, ticks, engaged: T::of(0.0) })
     }
 }
@@ -64,9 +70,9 @@ impl<S, T: Scalar> SoftStart<S, T> {
     /// Changes the number of ticks; a rise under way goes on with the new number.
     ///
     /// # Errors
-    /// 0 ticks; the old number stays.
+    /// 0 ticks, or more than the scalar can count, 2^24 in `f32`; the old number stays.
     pub fn set_ticks(&mut self, ticks: u32) -> Result<(), ParameterError> {
-        self.ticks = whole("rise ticks", ticks)?;
+        self.ticks = countable(ticks)?;
         Ok(())
     }
 }

@@ -54,6 +54,11 @@ impl Draft {
         (self.duration.get() * self.servo_rate.get()).round() as u64
     }
 
+    /// Time of the last tick, N / servo_rate, in s.
+    pub fn end(&self) -> f64 {
+        self.ticks() as f64 / self.servo_rate.get()
+    }
+
     /// Servo period T = 1 / servo_rate, in s.
     pub fn period(&self) -> f64 {
         self.servo_rate.get().recip()

@@ -243,7 +243,9 @@ macro_rules! whole {
 
             fn of(number: f64) -> Result<Self, OutOfRange> {
                 let rule = OutOfRange { rule: $rule, value: Given::Real(number) };
-                if number.fract() == 0.0 { Self::new(number as i64) } else { Err(rule) }
+                // The conversion saturates, and what is refused is told as it was given.
+                let whole = number as i64;
+                if whole as f64 == number { Self::new(whole) } else { Err(rule) }
             }
 
             fn number(self) -> f64 {

@@ -235,6 +235,6 @@ impl Grid {
         };
         let duration = number("duration", self.scene.duration.get());
         let rate = number("servo_rate", self.scene.servo_rate.get());
-        (duration * rate).round() as u64 + 1
+        ((duration * rate).round() as u64).saturating_add(1)
     }
 }

@@ -59,7 +59,7 @@ impl Curves {
 
     /// The last time that is shown, s.
     fn until(&self, summary: &Summary) -> f64 {
-        let end = summary.scene.ticks() as f64 * summary.scene.period();
+        let end = summary.scene.end();
         let last = summary.left_range().unwrap_or(end);
         let criterion = summary.fate.criterion(0);
         let rest = criterion.equilibria.first().filter(|_| criterion.place().is_some());
@@ -74,7 +74,7 @@ impl Curves {
 
     /// The sentence under the figure.
     pub(super) fn caption(&self, summary: &Summary) -> String {
-        let end = summary.scene.ticks() as f64 * summary.scene.period();
+        let end = summary.scene.end();
         let energy = "The energy into the port is the work of the applied force on the true motion: below 0, more came \
                       out than went in.";
         if self.until(summary) < end {

@@ -110,7 +110,7 @@ impl<R: Read> Against<R> {
     /// # Errors
     /// A log that does not begin within the scene; a start from the log in a space, or that the scene does not allow.
     pub fn started(&self, scene: &Scene) -> Result<Scene, ObserveError> {
-        let (begins, ends) = (self.time(&self.first), end(scene));
+        let (begins, ends) = (self.time(&self.first), scene.end());
         if begins < -SAME * scene.period() || begins > ends {
             let told =
                 format!("the log begins at {begins:?} s, and the scene lasts from 0 to {ends:?} s");
@@ -164,7 +164,7 @@ impl<R: Read> Against<R> {
     /// # Errors
     /// A log that goes on after the scene, or of which fewer than two rows were compared; a stream that fails.
     pub fn finish(mut self, scene: &Scene) -> Result<Laid, ObserveError> {
-        let ends = end(scene);
+        let ends = scene.end();
         let (mut left, mut last) = (0, None);
         while let Some(row) = self.pending {
             (left, last) = (left + 1, Some(self.time(&row)));
@@ -247,11 +247,6 @@ fn between(before: &Row, after: &Row, time: f64) -> Place {
         velocity: line(before.v, after.v),
         force: before.f_act,
     }
-}
-
-/// The time of the last tick, s.
-fn end(scene: &Scene) -> f64 {
-    scene.ticks() as f64 / scene.servo_rate.get()
 }
 
 /// The next row that is good and later than `last`; the bad ones on the way are counted.
