@@ -14,20 +14,26 @@ pub const SEEDS: Range<u64> = 1..6;
 /// One tick in this many is spoilt.
 const SPOILT: usize = 7;
 
-/// Samples and efforts of every size, one in seven spoilt: not finite, subnormal, as large as can be, or over no time.
+/// The last two ticks of this many are free motion: nothing is asked, and nothing acts.
+const FREE: usize = 13;
+
+/// Samples and efforts of every size, some of free motion, one in seven spoilt: not finite, subnormal, as large as can be, or over
+/// no time.
 ///
 /// Numbers as large as can be come in the last block only, since a sum that took one in sees nothing small any more.
 pub struct Ticks<V: Signal> {
     samples: Samples<V>,
     tick: usize,
     last: bool,
+    was_free: bool,
 }
 
 impl<V: Signal> Ticks<V> {
     /// The ticks of a `seed`.
     pub fn new(seed: u64) -> Self {
         let period = V::Scalar::of(1e-3);
-        Self { samples: Samples::new(period).seeded(seed), tick: 0, last: seed + 1 == SEEDS.end }
+        let samples = Samples::new(period).seeded(seed);
+        Self { samples, tick: 0, last: seed + 1 == SEEDS.end, was_free: false }
     }
 
     /// Number `kind` of the unusual numbers.
@@ -52,6 +58,13 @@ impl<V: Signal> Iterator for Ticks<V> {
     #[inline(never)]
     fn next(&mut self) -> Option<Self::Item> {
         let (mut sample, mut effort) = self.samples.next()?;
+        if self.was_free {
+            (sample.applied, sample.work) = (V::zero(), V::zero());
+        }
+        self.was_free = self.tick % FREE >= FREE - 2;
+        if self.was_free {
+            effort = V::zero();
+        }
         let kind = self.tick / SPOILT;
         if self.tick % SPOILT == SPOILT - 1 {
             let bad = self.unusual(kind);

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use lyapunov_core::lanes::{AutoF32x4, AutoF32x8, AutoF64x4, WideF32x8, WideF64x4};
 use lyapunov_core::{PortSample, Signal, Stabilizer};
-use lyapunov_embedded::{Hash, Number, SEEDS, Ticks, Visit, step, visit};
+use lyapunov_embedded::{BLOCK, Hash, Number, SEEDS, Ticks, Visit, hash, step, visit};
 use lyapunov_stabilizers::Member;
 
 /// One lane of a run: the numbers of its samples and efforts, one after the other, and the hash of what was answered.
@@ -93,6 +93,34 @@ fn every_name_is_in_the_list() {
         |name: &str| if name == "popc-directed" { "directed-damping" } else { name }.to_owned();
     for name in named.into_iter().filter(own).chain(Member::<f32>::NAMES.iter().copied()) {
         assert!(listed.contains_key(&*alike(name)), "tests/embedded/src/members lacks {name}");
+    }
+}
+
+/// Hashes of every member over all ticks, by name.
+struct Hashes(BTreeMap<&'static str, Hash>);
+
+impl<T: Number> Visit<T> for Hashes {
+    fn member<V, S>(&mut self, name: &'static str, member: S)
+    where
+        V: Signal<Scalar = T>,
+        S: Stabilizer<V> + Copy + Send + Sync + 'static,
+    {
+        self.0.insert(name, hash(member, BLOCK, 0, step));
+    }
+}
+
+/// Ticks that two members answer alike do not tell one from the other.
+#[test]
+fn every_member_is_told_from_the_others() {
+    let mut hashes = Hashes(BTreeMap::new());
+    visit::<f64>(&mut hashes).expect("the parameters");
+    let mut told: Vec<(&str, Hash)> = Vec::new();
+    for (name, hash) in hashes.0 {
+        if let Some((other, _)) = told.iter().find(|(_, other)| *other == hash) {
+            // The same stabilizer as a type of its own and as a case of the enumeration.
+            assert_eq!(format!("{other}-member"), name, "{other} and {name} answer alike");
+        }
+        told.push((name, hash));
     }
 }
 
