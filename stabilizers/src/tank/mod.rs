@@ -28,7 +28,7 @@ pub struct TankLimits<T> {
 }
 
 impl<T: Scalar> TankLimits<T> {
-    /// This store, if it can be one.
+    /// The same limits, checked.
     fn checked(self) -> Result<Self, ParameterError> {
         let Self { start, floor, ceiling, power } = self;
         Requirement::NonNegative.check("tank floor", floor)?;
