@@ -1,6 +1,6 @@
 //! Scene files, simulation, studies and their figures: the library behind the command `lyapunov`.
 //!
-//! The crate has six floors, and each uses only those below it: text, files, simulation, measures, their presentation,
+//! The crate has six layers, and each uses only those below it: text, files, simulation, measures, their presentation,
 //! and on top the studies, one for each command.
 //!
 //! A [`Rollout`] closes the loop that a [`Scene`] describes, with the scene's own stabilizer or with any other:

@@ -20,7 +20,7 @@ pub struct VirtualCoupling<T> {
 lyapunov_core::approximate!(impl[T: PartialEq] VirtualCoupling<T>, of T { stiffness, damping, drag });
 
 impl<T: Scalar> VirtualCoupling<T> {
-    /// This coupling, if it can be one.
+    /// The same coupling, checked.
     fn checked(self) -> Result<Self, ParameterError> {
         Requirement::Positive.check("coupling stiffness", self.stiffness)?;
         Requirement::NonNegative.check("coupling damping", self.damping)?;

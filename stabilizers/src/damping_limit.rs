@@ -73,7 +73,7 @@ impl<T: Scalar> DampingLimit<T> {
     /// unit circle: 2, 0.828, 0.536, 0.398 for 0 to 3 ticks. (With the velocity itself, from `2 sin(π / (2 (2d+1)))`
     /// on: 2, 1, 0.618; the backward difference is half a tick late by itself, so its limit serves both.) Hence the
     /// factor `tan(π / (4 (d+1)))`: half of `m / T` is a quarter of the damping that makes the oscillation grow, and
-    /// with the factor it is a quarter again.
+    /// with the factor it is again a quarter.
     ///
     /// It promises only that the damper's own oscillation does not grow: a wall that is as late as the damper gives out
     /// more energy the later it is, and the smaller damper dissipates less.

@@ -22,7 +22,7 @@ use lyapunov_core::{
 /// `W`: `∫ F v = W(q) + f² / (2 μ) + τ ∫ ḟ q̇ + (τ / μ) ∫ ḟ²`, in which no term is below 0. **Assumed** is that the
 /// slope never exceeds `μ`: from `μ = K` on downwards the recursion with `f(k−1)` swings by itself. A hold and a delay
 /// keep no more than the rule of a sampled spring and damper, `K' T² / m < 2 β (2 − β) / (2 + β)` with
-/// `β = τ K' T / m`, so energy may be generated, by a bounded amount while the loop is stable, and not by 0.
+/// `β = τ K' T / m`, so energy may be generated, by a bounded amount while the loop is stable.
 ///
 /// Run it at the environment's rate, inside a hold if the servo is faster: there the rate term would be an impulse of
 /// one tick. `T` is the period of its own calls.

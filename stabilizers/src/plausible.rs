@@ -17,7 +17,7 @@ pub struct Plausibility<T> {
 }
 
 impl<T: Scalar> Plausibility<T> {
-    /// These limits, if they can be some.
+    /// The same limits, checked.
     fn checked(self) -> Result<Self, ParameterError> {
         Requirement::Limit.check("plausible speed", self.speed)?;
         Requirement::Limit.check("plausible effort", self.effort)?;
@@ -69,7 +69,7 @@ impl<S, T: Scalar> Plausible<S, T> {
 
 impl<S, T> StabilizerExt for Plausible<S, T> {}
 
-/// Where an axis is beyond `most`, lane by lane; a NaN is not, and is left to the stabilizer inside.
+/// Mask of the lanes with an axis beyond `most`; a NaN is not, and is left to the stabilizer inside.
 #[inline(always)]
 fn beyond<V: Signal>(signal: V, most: V::Scalar) -> <V::Scalar as Scalar>::Mask {
     let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));

@@ -26,8 +26,10 @@ use crate::account::account_in_sum;
 /// does a force with a slope within 0 and `μ`: there is only the hold's leak of `μ Δx² / 2` a tick, and a device damping
 /// of `b ≥ μ T / 2` dissipates that ([`of_damping`](Self::of_damping); the condition of Colgate and Schenkel, Journal of
 /// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness). For a linear wall `F² / (2 μ)` is a storage of port
-/// and damper if it is stiffer than `μ`, and the spring's own energy if it is softer. A wall that is steep at first and
-/// then flat does make one, with a long step in and short ones out.
+/// and damper if it is stiffer than `μ`, and the spring's own energy if it is softer. So port and damper give nothing
+/// before a wall that is met from outside, where the first effort is 0. The first effort passes whole: a loop that
+/// starts in contact with a wall `k` at an effort `f` may give up to `f² / (2 min(k, μ))`. Both are without a creep. A
+/// wall that is steep at first and then flat does make a loop, with a long step in and short ones out.
 ///
 /// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A
 /// creep of `ρ` N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.

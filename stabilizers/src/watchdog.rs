@@ -10,14 +10,14 @@ use crate::account::lends;
 /// Times of a [`Watchdog`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WatchdogTimes<T> {
-    /// How long the last effort is held without a sound sample, s; infinity: without end.
+    /// Time for which the last effort is held without a sound sample, s; infinity: without end.
     pub hold: T,
-    /// How long the environment's effort rises at the start and after a release, s.
+    /// Time in which the environment's effort rises at the start and after a release, s.
     pub rise: T,
 }
 
 impl<T: Scalar> WatchdogTimes<T> {
-    /// These times, if they can be some.
+    /// The same times, checked.
     fn checked(self) -> Result<Self, ParameterError> {
         Requirement::Limit.check("watchdog hold", self.hold)?;
         Requirement::NonNegative.check("watchdog rise", self.rise)?;
@@ -119,7 +119,7 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watchdog<S, V> {
 lends!(impl[S, V: Signal] Watchdog<S, V>, of S, in V::Scalar);
 
 impl<S, V: Signal> Watchdog<S, V> {
-    /// How long it holds, and how long the environment rises.
+    /// Times for which it holds and in which the environment rises.
     pub fn times(&self) -> WatchdogTimes<V::Scalar> {
         self.times
     }

@@ -1,4 +1,4 @@
-//! The ground floor: text helpers for every other floor, independent of the subject of the text.
+//! The lowest layer: text helpers for every other layer, independent of the subject of the text.
 
 mod checksum;
 pub(crate) mod excerpt;

@@ -1,4 +1,4 @@
-//! What is read of a place, and the position that becomes of it.
+//! Places that a device tells, and the positions made of them.
 
 use num_traits::Zero;
 
@@ -7,12 +7,12 @@ use crate::{
     WorldAxes,
 };
 
-/// What a device tells of where it is: positions as they are ([`Positions`]), or poses ([`Poses`]).
+/// Kind of place that a device tells: positions as they are ([`Positions`]), or poses ([`Poses`]).
 ///
 /// [`Readings`](crate::Readings) ask for the position in the port's sample, counted from the last one that was accepted,
 /// and for the motions that no device makes.
 pub trait Track<V: Signal>: Copy {
-    /// What is read.
+    /// The place in one reading: a position, or a pose.
     type Place: Copy;
 
     /// The fastest motion.
@@ -24,13 +24,13 @@ pub trait Track<V: Signal>: Copy {
     /// The speed that sets no limit.
     fn unlimited() -> Self::Speed;
 
-    /// `speed`, if it can be one.
+    /// The same speed, checked.
     ///
     /// # Errors
     /// A speed that is not above 0; infinity sets no limit.
     fn checked(speed: Self::Speed) -> Result<Self::Speed, ParameterError>;
 
-    /// Where more than `speed` over `time` s was needed for `displacement`.
+    /// Mask of the lanes in which `displacement` takes more than `speed` over `time` s.
     fn too_far(speed: Self::Speed, displacement: V, time: V::Scalar)
     -> <V::Scalar as Scalar>::Mask;
 
@@ -86,7 +86,7 @@ impl<V: Signal> Track<V> for Positions {
 /// Speeds are a [`PartSpeeds`]. See [`Readings::of_poses`](crate::Readings::of_poses).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Poses<T, F = WorldAxes> {
-    /// What the sum has rounded away.
+    /// Rounding errors of the sum so far, which the next step carries.
     left: Screw<T, F>,
 }
 
@@ -171,7 +171,7 @@ impl<T: Angle, F: Axes> Track<WithPose<T, F>> for Poses<T, F> {
 }
 
 impl<T: Angle, F: Axes> Snapshot for Poses<T, F> {
-    /// What the sum has rounded away.
+    /// Rounding errors of the sum so far, which the next step carries.
     type State = Screw<T, F>;
 
     fn state(&self) -> Screw<T, F> {

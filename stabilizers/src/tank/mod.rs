@@ -28,7 +28,7 @@ pub struct TankLimits<T> {
 }
 
 impl<T: Scalar> TankLimits<T> {
-    /// This store, if it can be one.
+    /// The same limits, checked.
     fn checked(self) -> Result<Self, ParameterError> {
         let Self { start, floor, ceiling, power } = self;
         Requirement::NonNegative.check("tank floor", floor)?;
@@ -49,11 +49,13 @@ impl<T: Scalar> TankLimits<T> {
 /// creates energy ([`EnergyTank`]). Efforts that absorb pass unchanged. The observed energy is `E − floor`, and the
 /// reported damping is 0.
 ///
-/// **Guarantee**: the port gives at most what it took and what was in the tank at the start, `start − floor`, if the
-/// next period's motion is as fast as the velocity says; the valve hands out no more than is in the tank, and the tank
-/// holds no more than its ceiling. **Assumed** is that velocity: where the motion is faster the account may fall below
-/// the floor. That much is reported as shortfall, and nothing is given until it is made up; the tank does not brake. A
-/// ceiling keeps a long dissipation from paying for anything; a power limit keeps what is stored from coming at once.
+/// **Guarantee**: the port gives at most what it took and was credited and what was in the tank at the start,
+/// `start − floor`; the tank holds no more than its ceiling. **Assumed** is that the effort acts as given and that the
+/// next displacement is between 0 and `v T`, on several axes a part of `v T`. Where the device moves farther or turns
+/// round, the account may fall below the floor: at `v` = 0.1 m/s an effort of 1 kN absorbs and passes unchanged, and a
+/// next displacement of −0.05 mm takes out 0.05 J, however little is in the tank. That much is reported as shortfall,
+/// and nothing is given until it is made up; the tank does not brake. A ceiling keeps a long dissipation from paying
+/// for anything; a power limit keeps what is stored from coming at once.
 ///
 /// Tanks are as in Ferraguti and others (IEEE Transactions on Robotics 31(5), 2015), where the port's dissipation fills
 /// them; here it is the port's whole work, and the bounded valve is derived. Califano, Rashad, Secchi and Stramigioli

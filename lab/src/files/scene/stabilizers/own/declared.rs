@@ -7,7 +7,7 @@ use super::super::Pledge;
 use super::{Loop, OwnNumber, Promise};
 use crate::files::scene::book::{Key, key};
 
-/// Maker of an own stabilizer on a loop in the signal with that id: a result of the floor above, or none for a signal
+/// Maker of an own stabilizer on a loop in the signal with that id: a result of the layer above, or none for a signal
 /// that no loop has.
 pub(crate) type Make = fn(TypeId, &Loop<'_>) -> Option<Box<dyn Any>>;
 
