@@ -86,6 +86,8 @@ pub use studies::{
 
 // Names of other crates that the interface above uses.
 #[doc(no_inline)]
+pub use text::legible;
+
 pub use lyapunov_figures as figures;
 #[doc(no_inline)]
 pub use nalgebra::SVector;

@@ -69,6 +69,12 @@ pub trait Signal:
         })
     }
 
+    /// The nearest multiple of `step` on every axis, `round(x / step) step`, ties away from zero.
+    #[inline(always)]
+    fn counted(self, step: Self::Scalar) -> Self {
+        self.map(|axis| (axis / step).rounded() * step)
+    }
+
     /// Whether every axis is finite, lane by lane.
     #[inline(always)]
     fn finite(self) -> <Self::Scalar as Scalar>::Mask {

@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::accuracy::{AccuracyError, Study};
+use lyapunov_lab::legible;
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
@@ -96,7 +97,7 @@ impl Accuracy {
                 Err(_) => ControlFlow::Break(()),
             }
         };
-        let name = self.scene.display().to_string();
+        let name = legible(&self.scene.display().to_string());
         let study = Study::watched(&name, scene, &watch).map_err(|error| match error {
             AccuracyError::Stopped => End::Interrupted,
             error @ AccuracyError::Space { .. } => End::input(error),

@@ -5,9 +5,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lyapunov_lab::explain::Explanation;
-use lyapunov_lab::in_space;
 use lyapunov_lab::scene::Scene;
+use lyapunov_lab::{in_space, legible};
 
+use super::apart::apart;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::{End, standard_output};
@@ -44,8 +45,8 @@ impl Explain {
         let files = names(RESULTS, ["explain"], ["explain.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let explanation = in_space!(scene, Axes => Explanation::of::<Axes>(&scene));
-        let name = self.scene.display().to_string();
+        let explanation = apart(move || in_space!(scene, Axes => Explanation::of::<Axes>(&scene)))?;
+        let name = legible(&self.scene.display().to_string());
         let explanation =
             explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;
         let json = explanation.to_json(&name).map_err(End::internal)?;

@@ -4,10 +4,10 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
-use lyapunov_lab::Scene;
 use lyapunov_lab::compare::{Compared, Names, RunError, Sheet, Subject, page};
 use lyapunov_lab::models::Model;
 use lyapunov_lab::teleoperation::Teleoperator;
+use lyapunov_lab::{Scene, legible};
 
 use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
@@ -28,7 +28,7 @@ impl Subjects {
     pub(super) fn load(paths: &[PathBuf], left_out: &mut LeftOut) -> Result<Self, End> {
         let (mut scenes, mut models, mut teleoperators) = (Vec::new(), Vec::new(), Vec::new());
         for path in paths {
-            let name = path.display().to_string();
+            let name = legible(&path.display().to_string());
             match left_out.unless(Subject::load(path).map_err(End::input))? {
                 Some(Subject::Scene(scene)) => scenes.push((name, *scene)),
                 Some(Subject::Model(model)) => models.push((name, *model)),

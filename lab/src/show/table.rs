@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use textwrap::core::display_width;
 
 use super::html::verdict;
-use crate::text::{found, printable};
+use crate::text::{found, legible};
 
 /// The widest line in the terminal.
 const WIDEST: usize = 100;
@@ -60,8 +60,7 @@ pub(crate) struct Cell {
 impl Cell {
     /// A cell with markup of its own.
     pub(crate) fn new(text: &str, markup: Markup) -> Self {
-        let on_a_line = |character| printable(if character == '\n' { ' ' } else { character });
-        Self { text: text.chars().map(on_a_line).collect(), markup }
+        Self { text: legible(&text.replace('\n', " ")), markup }
     }
 }
 

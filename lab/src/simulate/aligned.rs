@@ -152,4 +152,10 @@ impl<T: Scalar> Signal for Aligned<T> {
     fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
         Self(T::choose(mask, yes.0, no.0))
     }
+
+    // Not by a closure: one as long as this is called, and a function that is called is compiled for the base set.
+    #[inline(always)]
+    fn counted(self, step: Self) -> Self {
+        (self / step).rounded() * step
+    }
 }

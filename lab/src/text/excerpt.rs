@@ -46,7 +46,7 @@ fn window(line: &str, before: usize, marked: usize) -> (String, String) {
     let length = line.chars().count();
     if length <= WIDTH {
         let mark = " ".repeat(before) + &"^".repeat(marked);
-        return (line.chars().map(printable).collect(), mark);
+        return (legible(line), mark);
     }
     let marked = marked.min(WIDTH / 2);
     let first = before.saturating_sub((WIDTH - marked) / 2).min(length - WIDTH);
@@ -71,8 +71,13 @@ pub(crate) fn shorten(text: &str) -> String {
     short
 }
 
+/// The text without characters that could control the terminal: a file may be called anything.
+pub fn legible(text: &str) -> String {
+    text.chars().map(printable).collect()
+}
+
 /// The character, or a substitute if it could control the terminal, reverse the text or take other than one column.
-pub(crate) fn printable(character: char) -> char {
+fn printable(character: char) -> char {
     match character {
         '\t' => ' ',
         '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => '\u{fffd}',

@@ -9,7 +9,8 @@ pub(crate) mod suggest;
 pub(crate) mod words;
 
 pub(crate) use checksum::Checksum;
-pub(crate) use excerpt::{printable, shorten};
+pub use excerpt::legible;
+pub(crate) use excerpt::shorten;
 pub(crate) use file_name::file_name;
 pub(crate) use numbers::{found, given};
 pub(crate) use suggest::nearest;

@@ -1,7 +1,7 @@
 //! Positions in encoder counts.
 
 use lyapunov_core::{
-    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+    Correction, OnePort, ParameterError, PortSample, Requirement, Signal, Snapshot,
 };
 
 use super::retold::Retold;
@@ -37,7 +37,7 @@ impl<P, V: Signal> Encoder<P, V> {
 impl<V: Signal, P: OnePort<V>> OnePort<V> for Encoder<P, V> {
     #[inline(always)]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
-        let position = sample.position.zip(V::splat(self.resolution), counted);
+        let position = sample.position.counted(self.resolution);
         self.port.respond(&self.retold.sample(sample, position))
     }
 
@@ -45,12 +45,6 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Encoder<P, V> {
     fn correction(&self) -> Correction<V> {
         self.port.correction()
     }
-}
-
-/// The position in whole counts of `resolution`: a function, as closures are not always inlined on lanes.
-#[inline(always)]
-fn counted<T: Scalar>(position: T, resolution: T) -> T {
-    (position / resolution).rounded() * resolution
 }
 
 impl<P: Snapshot, V: Signal> Snapshot for Encoder<P, V> {

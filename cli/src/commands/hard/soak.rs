@@ -23,7 +23,9 @@ const FOUND: &str = "soak.toml";
 pub(super) fn minutes(given: &str) -> Result<Duration, String> {
     let span = given.parse().ok().filter(|minutes| *minutes > 0.0);
     let span = span.and_then(|minutes: f64| Duration::try_from_secs_f64(60.0 * minutes).ok());
-    span.ok_or_else(|| "not a time in minutes above 0, such as 0.5".to_owned())
+    span.ok_or_else(|| {
+        "not a time in minutes above 0 that a clock can count, such as 0.5".to_owned()
+    })
 }
 
 impl Hard {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::text::excerpt::Excerpt;
-use crate::text::{folded, printable};
+use crate::text::{folded, legible};
 
 /// A fault that keeps a scene from being read: the problem, its place and the remedy.
 ///
@@ -25,7 +25,7 @@ struct Parts {
 impl Diagnostic {
     pub(crate) fn new(name: &str, message: impl Into<String>) -> Self {
         Self(Box::new(Parts {
-            name: name.chars().map(printable).collect(),
+            name: legible(name),
             message: message.into(),
             key: None,
             value: None,

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::Draft;
 use super::check::Conflict;
 use super::operator::Motion;
-use crate::text::{Checksum, printable, shorten};
+use crate::text::{Checksum, legible, shorten};
 
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 26;
@@ -50,7 +50,7 @@ impl Draft {
 }
 
 fn read(path: &Path, open: Open<'_>) -> Result<Arc<[(f64, f64)]>, String> {
-    let shown: String = path.display().to_string().chars().map(printable).collect();
+    let shown = legible(&path.display().to_string());
     let refused = |error| format!("`{shown}` cannot be read: {error}");
     let too_large = || format!("`{shown}` is too large for a motion: more than {LIMIT} bytes");
     // A device reports no size: reading one byte beyond the limit detects it.

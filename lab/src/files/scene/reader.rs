@@ -29,7 +29,7 @@ impl<'tree, 'text> Reader<'tree, 'text> {
 
     fn too_large(&self) -> Fault {
         Fault::new(Problem::Refused {
-            sentence: "must be a number that 64 bits can hold".to_owned(),
+            sentence: "must be a number from -2^63 to 2^63 - 1".to_owned(),
         })
         .at(&self.place)
     }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::measure::Limits;
 use crate::show::table::{Heading, Table};
-use crate::text::{found, given};
+use crate::text::{folded, found, given};
 
 impl fmt::Display for Limits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -12,7 +12,7 @@ impl fmt::Display for Limits {
         write!(f, "\n{}", textwrap::indent(&self.table().to_string(), "  "))?;
         for (index, note) in self.notes.iter().enumerate() {
             let gap = if index == 0 { "\n" } else { "" };
-            writeln!(f, "{gap}  - {note}")?;
+            writeln!(f, "{gap}{}", folded("  - ", note))?;
         }
         Ok(())
     }

@@ -75,7 +75,7 @@ impl Explanation {
             match times {
                 Some(times) => writeln!(
                     f,
-                    "  broken       {name}: at most {} N/m, which is exceeded {} times",
+                    "  broken       {name}: at most {} N/m, the scene has {} times that",
                     found(*most),
                     found(*times)
                 )?,
@@ -97,10 +97,11 @@ impl Explanation {
         let told = |value: Option<f64>| value.map_or("-".to_owned(), |it| found(it).to_string());
         writeln!(
             f,
-            "  groups       K r T / b = {}, K (r T)^2 / m = {}, B r T / m = {}, delay {delay_ticks} ticks",
+            "  groups       K r T / b = {}, K (r T)^2 / m = {}, B r T / m = {}, delay {delay_ticks} {}",
             told(krt_over_b),
             told(kr2t2_over_m),
-            told(brt_over_m)
+            told(brt_over_m),
+            if delay_ticks == 1 { "tick" } else { "ticks" }
         )
     }
 

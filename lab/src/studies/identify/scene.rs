@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::estimate::Estimate;
 use super::report::Report;
-use crate::text::printable;
+use crate::text::legible;
 
 /// The scene that `report` tells, every fitted number with its interval.
 pub(super) fn toml(report: &Report) -> String {
@@ -15,7 +15,7 @@ pub(super) fn toml(report: &Report) -> String {
 }
 
 fn write(out: &mut String, report: &Report) -> std::fmt::Result {
-    let name: String = report.log.chars().map(printable).collect();
+    let name = legible(&report.log);
     writeln!(out, "# Fitted to {name}: mass, damping, spring and wall with their 95 % intervals.")?;
     let (period, duration) = (tidy(report.median_period), tidy(report.duration));
     let rate = tidy(period.recip());

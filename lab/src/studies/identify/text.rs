@@ -6,7 +6,7 @@ use super::Identified;
 use super::estimate::Estimate;
 use super::report::Report;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, printable};
+use crate::text::{folded, found, legible};
 
 /// What is said of a run that does not stay by its log.
 const LEAVES: &str = "a run of the scene below leaves the log: a loop at the edge of what is stable, a hand that moves, or a \
@@ -23,7 +23,7 @@ impl fmt::Display for Identified {
 impl Report {
     /// Lines of a label and a text.
     pub(super) fn lines(&self) -> String {
-        let name: String = self.log.chars().map(printable).collect();
+        let name = legible(&self.log);
         let period = found(1e3 * self.median_period);
         let mut lines = vec![format!(
             "{name}: {} rows over {} s, median period {period} ms",

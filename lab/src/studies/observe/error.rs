@@ -4,7 +4,7 @@ use std::fmt;
 use std::io;
 
 use super::bad::BadRows;
-use crate::text::{folded, printable};
+use crate::text::{folded, legible};
 
 /// Reason why a log cannot be observed, with a remedy.
 #[derive(Debug)]
@@ -21,13 +21,13 @@ impl ObserveError {
 
     /// Error at a line of a log.
     pub(crate) fn at(name: &str, line: u64, message: impl fmt::Display) -> Self {
-        let name: String = name.chars().map(printable).collect();
+        let name = legible(name);
         Self::new(format!("{name}:{line}: {message}"))
     }
 
     /// Error of a log as a whole.
     pub(crate) fn about(name: &str, message: impl fmt::Display) -> Self {
-        let name: String = name.chars().map(printable).collect();
+        let name = legible(name);
         Self::new(format!("{name}: {message}"))
     }
 

@@ -10,7 +10,7 @@ use super::report::Report;
 use super::step::GAP;
 use super::traces::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, printable, shorten};
+use crate::text::{folded, found, legible, shorten};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -36,7 +36,7 @@ impl fmt::Display for Lines<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let report = self.0;
         let units = Units::of(report);
-        let name: String = report.log.chars().map(printable).collect();
+        let name = legible(&report.log);
         write!(f, "{name}: {} rows over {} s", report.rows, found(report.duration))?;
         report.write_columns(f)?;
         report.write_rows(f, &units)?;

@@ -11,7 +11,7 @@ use crate::show::html;
 use crate::show::labelled::labelled;
 use crate::show::table::{Cell, Heading, Table};
 use crate::studies::observe::{BadRows, Column, described};
-use crate::text::{folded, found, printable};
+use crate::text::{folded, found, legible};
 
 /// A log laid over the run of a scene.
 #[derive(Clone, Debug, Serialize)]
@@ -50,7 +50,7 @@ pub struct Laid {
 impl Laid {
     /// What was compared, in labelled lines.
     pub(crate) fn lines(&self) -> String {
-        let name: String = self.log.chars().map(printable).collect();
+        let name = legible(&self.log);
         let (from, to) = (found(self.from_s), found(self.to_s));
         let start = match self.start {
             Start::Scene => "on the scene's clock",
