@@ -11,6 +11,7 @@ pub(crate) mod observe;
 pub(crate) mod run;
 mod scene;
 mod shard;
+mod tables;
 mod told;
 pub(crate) mod tune;
 mod work;

@@ -6,8 +6,9 @@ use lyapunov_lab::scene as lab;
 use lyapunov_lab::scenes::text_of;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use pyo3::types::PyDict;
 
+use super::tables;
 use crate::errors;
 
 /// A checked scene: a simulated loop, its duration and its stabilizer, in SI units.
@@ -32,7 +33,7 @@ impl Scene {
         let py = source.py();
         if let Ok(table) = source.cast::<PyDict>() {
             let name = name.unwrap_or_else(|| "scene".to_owned());
-            let text = toml::to_string(&tree(table, "")?).map_err(errors::input)?;
+            let text = toml::to_string(&tables::read(table)?).map_err(errors::input)?;
             return Self::read(py, &text, name);
         }
         let path: PathBuf = source
@@ -64,7 +65,7 @@ impl Scene {
     /// The scene as a dictionary, with all its numbers.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let tree = toml::Value::try_from(&self.scene).map_err(errors::internal)?;
-        value(py, &tree)
+        tables::shown(py, &tree)
     }
 
     /// The number of servo ticks.
@@ -100,76 +101,4 @@ impl Scene {
         let scene = lab::Scene::parse(text, &name).map_err(|fault| errors::scene(py, &fault))?;
         Ok(Self { scene, name })
     }
-}
-
-/// The table of a dictionary; `path` is the one that leads to it.
-fn tree(table: &Bound<'_, PyDict>, path: &str) -> PyResult<toml::Value> {
-    let mut found = toml::Table::new();
-    for (key, inner) in table {
-        let key: String = key.extract().map_err(|_| {
-            errors::input(format!(
-                "a key of `{path}` is no string\n  = use the names of scene files"
-            ))
-        })?;
-        let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
-        if !inner.is_none() {
-            found.insert(key, leaf(&inner, &path)?);
-        }
-    }
-    Ok(toml::Value::Table(found))
-}
-
-/// The value of TOML that a value of Python is.
-fn leaf(inner: &Bound<'_, PyAny>, path: &str) -> PyResult<toml::Value> {
-    if let Ok(table) = inner.cast::<PyDict>() {
-        return tree(table, path);
-    }
-    if let Ok(truth) = inner.cast::<PyBool>() {
-        return Ok(truth.is_true().into());
-    }
-    if let Ok(text) = inner.cast::<PyString>() {
-        return Ok(text.to_string().into());
-    }
-    if inner.is_instance_of::<PyInt>() {
-        let whole: i64 = inner.extract()?;
-        return Ok(whole.into());
-    }
-    if inner.is_instance_of::<PyFloat>() {
-        return Ok(inner.extract::<f64>()?.into());
-    }
-    if inner.is_instance_of::<PyList>() || inner.is_instance_of::<PyTuple>() {
-        let items = inner.try_iter()?.map(|item| leaf(&item?, path));
-        return Ok(toml::Value::Array(items.collect::<PyResult<_>>()?));
-    }
-    // Scalars and arrays of NumPy tell themselves as numbers and lists.
-    match inner.call_method0("tolist") {
-        Ok(plain) => leaf(&plain, path),
-        Err(_) => Err(errors::input(format!(
-            "`{path}` is {}, which no scene holds\n  = give a number, a string, a list or a dictionary",
-            inner.get_type().name()?
-        ))),
-    }
-}
-
-/// The value of Python that a value of TOML is.
-fn value<'py>(py: Python<'py>, tree: &toml::Value) -> PyResult<Bound<'py, PyAny>> {
-    Ok(match tree {
-        toml::Value::String(text) => PyString::new(py, text).into_any(),
-        toml::Value::Integer(whole) => whole.into_pyobject(py)?.into_any(),
-        toml::Value::Float(number) => PyFloat::new(py, *number).into_any(),
-        toml::Value::Boolean(truth) => PyBool::new(py, *truth).to_owned().into_any(),
-        toml::Value::Datetime(time) => PyString::new(py, &time.to_string()).into_any(),
-        toml::Value::Array(items) => {
-            let items: Vec<_> =
-                items.iter().map(|item| value(py, item)).collect::<PyResult<_>>()?;
-            PyList::new(py, items)?.into_any()
-        }
-        toml::Value::Table(table) => {
-            let found = PyDict::new(py);
-            for (key, inner) in table {
-                found.set_item(key, value(py, inner)?)?;
-            }
-            found.into_any()
-        }
-    })
 }
