@@ -4,6 +4,7 @@ use lyapunov::stabilizers::Member;
 use lyapunov::{Dissipation, PortEnergy, Reading, Readings as Memory, Scalar, Stabilizer as _};
 use lyapunov_lab::F64x8;
 use nalgebra::SVector;
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -62,7 +63,14 @@ fn groups<V: Lanes>(
     };
     let damper = || Ok((PortEnergy, Dissipation::of(F64x8::of(recipe.damping.unwrap_or(0.0)))?));
     let member = recipe.make(damper).map_err(errors::parameter)?;
-    Ok(vec![Group { readings, member }; loops.div_ceil(LANES)])
+    let (mut groups, count) = (Vec::new(), loops.div_ceil(LANES));
+    groups.try_reserve_exact(count).map_err(|_| {
+        PyMemoryError::new_err(format!(
+            "loops is {loops}, for which there is no memory; give fewer, in several batches"
+        ))
+    })?;
+    groups.resize(count, Group { readings, member });
+    Ok(groups)
 }
 
 #[pymethods]
