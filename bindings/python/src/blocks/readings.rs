@@ -149,7 +149,7 @@ impl Readings {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let (py, this) = (slf.py(), slf.borrow());
+        let (py, this) = (slf.py(), slf.try_borrow()?);
         let Made { period, fastest, cutoff, measured, clocked } = this.made;
         let memory = PyBytes::new(py, &this.memory()?);
         let again = slf.get_type().getattr("_restored")?;

@@ -124,7 +124,7 @@ impl Stabilizer {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let (py, this) = (slf.py(), slf.borrow());
+        let (py, this) = (slf.py(), slf.try_borrow()?);
         let arguments = this.recipe.arguments(py)?;
         let memory = PyBytes::new(py, &this.memory()?);
         let again = slf.get_type().getattr("_restored")?;
