@@ -220,6 +220,13 @@ def test_progress_is_told():
     assert all(one[0] <= other[0] for one, other in zip(told, told[1:]))
 
 
+def test_the_progress_of_a_run_stays_within_its_total():
+    told = []
+    ly.run({**ly.Scene(WALL).to_dict(), "duration": 600.0}, progress=lambda done, total: told.append((done, total)))
+    assert all(0 <= done <= total == 60_000 for done, total in told)
+    assert all(one[0] <= other[0] for one, other in zip(told, told[1:]))
+
+
 def test_an_interrupt_ends_long_work():
     endless = {**ly.Scene(WALL).to_dict(), "duration": 1e6}
     # Whoever starts the tests in the background has them ignore interrupts.

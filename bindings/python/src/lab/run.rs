@@ -115,7 +115,9 @@ fn drain<V: Space>(
     let names: Vec<String> = RowFile::of(scene).columns.into_iter().map(|it| it.name).collect();
     let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
     for tick in rollout {
-        if summary.rows.is_multiple_of(BREATH) && watched.add(BREATH) == ControlFlow::Break(()) {
+        // The tick at 0 s is the first, and no tick of the scene's duration.
+        let done = if summary.rows == 0 { 0 } else { BREATH };
+        if summary.rows.is_multiple_of(BREATH) && watched.add(done) == ControlFlow::Break(()) {
             return Err(Fault::Stopped);
         }
         for (column, number) in numbers.iter_mut().zip(row_numbers(&tick)) {
