@@ -56,10 +56,16 @@ pub(crate) fn compare(
             json: document(&comparisons, &[]).map_err(Fault::internal)?,
             text: text.join("\n"),
             figures: comparisons.iter().map(|one| one.figure().to_svg()).collect(),
-            columns: Columns::of_csv(&csv(&comparisons))?,
+            columns: Columns::of_csv(&csv(&comparisons), &words())?,
             ..Told::default()
         })
     })
+}
+
+/// The columns of words in a table of scores, and in front of it.
+pub(super) fn words() -> Vec<&'static str> {
+    let of_scores = Column::ALL.into_iter().filter(|column| column.is_words());
+    std::iter::once("scene").chain(of_scores.map(Column::key)).collect()
 }
 
 fn compared(

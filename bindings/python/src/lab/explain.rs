@@ -20,7 +20,7 @@ pub(crate) fn explain(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told
             json: explanation.to_json(&name).map_err(Fault::internal)?,
             text: format!("{name}\n{explanation}"),
             figures: vec![explanation.figure(&name).to_svg()],
-            columns: Columns::of_csv(&explanation.csv())?,
+            columns: Columns::of_csv(&explanation.csv(), &["stretch", "part"])?,
             ..Told::default()
         })
     })

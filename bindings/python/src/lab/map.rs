@@ -11,6 +11,7 @@ use lyapunov_lab::scene as lab;
 use pyo3::prelude::*;
 
 use super::columns::{Column, Columns};
+use super::compare::words;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
@@ -76,7 +77,7 @@ fn swept(
         json: sweep.document().map_err(Fault::internal)?,
         text: sweep.to_string(),
         figures: vec![sweep.verdicts().to_svg(), sweep.curves().to_svg()],
-        columns: Columns::of_csv(&sweep.csv())?,
+        columns: Columns::of_csv(&sweep.csv(), &words())?,
         ..Told::default()
     })
 }
@@ -117,6 +118,9 @@ pub(super) fn told(survey: &Survey, computation: Option<&Computation>) -> Result
     })
 }
 
+/// The columns of words in map.csv.
+const WORDS: [&str; 3] = ["stabilizer", "verdict", "verdict_by"];
+
 /// The rows of map.csv.
 #[derive(Debug, Default)]
 struct Rows {
@@ -145,8 +149,7 @@ impl Rows {
     fn columns(self, grid: &Grid) -> Columns {
         let axes = [&grid.x.key, &grid.y.key].map(String::clone);
         let places = axes.into_iter().zip(self.places.map(Column::Numbers));
-        let words = ["stabilizer", "verdict", "verdict_by"].map(str::to_owned);
-        let words = words.into_iter().zip(self.words.map(Column::Words));
+        let words = WORDS.map(str::to_owned).into_iter().zip(self.words.map(Column::Words));
         let keys = Measure::ALL.map(|measure| measure.key.to_owned());
         let measures = keys.into_iter().zip(self.measures.into_iter().map(Column::Numbers));
         Columns(places.chain(words).chain(measures).collect())
@@ -156,5 +159,10 @@ impl Rows {
 /// The columns of the table of a map at `path`.
 pub(super) fn columns_of(path: &std::path::Path) -> Result<Columns, Fault> {
     let text = fs::read_to_string(path).map_err(Fault::internal)?;
-    Ok(Columns::of_csv(&text)?)
+    // Only the head is in lines that begin so.
+    let mut rows = &text[..];
+    while let Some((_, rest)) = rows.split_once('\n').filter(|(line, _)| line.starts_with('#')) {
+        rows = rest;
+    }
+    Ok(Columns::of_csv(rows, &WORDS)?)
 }

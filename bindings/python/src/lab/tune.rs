@@ -60,7 +60,7 @@ pub(crate) fn tune(
             text: table(&name, &tuning, &tuned),
             figures: vec![figure(&name, tuning.objective, &tuned).to_svg()],
             scenes: scenes.collect::<Result<_, _>>()?,
-            columns: Columns::of_csv(&csv(&tuned))?,
+            columns: Columns::of_csv(&csv(&tuned), &["stabilizer", "key", "unit"])?,
         })
     })
 }
