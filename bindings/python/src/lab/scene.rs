@@ -57,14 +57,14 @@ impl Scene {
         Self::read(py, text, name.to_owned())
     }
 
-    /// The scene in TOML, with all its numbers.
+    /// The scene in TOML, with all its numbers; a cap that it leaves out stays left out, as it follows the delay.
     fn to_toml(&self) -> PyResult<String> {
-        toml::to_string(&self.scene).map_err(errors::internal)
+        toml::to_string(&self.scene.as_written()).map_err(errors::internal)
     }
 
-    /// The scene as a dictionary, with all its numbers.
+    /// The scene as a dictionary, with the numbers of `to_toml`.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let tree = toml::Value::try_from(&self.scene).map_err(errors::internal)?;
+        let tree = toml::Value::try_from(self.scene.as_written()).map_err(errors::internal)?;
         tables::shown(py, &tree)
     }
 
