@@ -81,6 +81,8 @@ def closed_in_numpy(ticks, period, mass, damping, stiffness, position, velocity,
     before, energy, acted = x.copy(), np.zeros_like(x), np.zeros_like(x)
     largest = np.zeros_like(x)
     for tick in range(ticks):
+        if 2 * tick >= ticks:
+            largest = np.maximum(largest, np.abs(x))
         moved = x - before
         speed = moved / period
         wall = np.where(x > 0, np.maximum(wall_stiffness * x + wall_damping * speed, 0), 0)
@@ -90,8 +92,7 @@ def closed_in_numpy(ticks, period, mass, damping, stiffness, position, velocity,
         alpha = np.where(acts, np.minimum(-energy / np.where(acts, square, 1.0), limit), 0.0)
         acted, before = wall + alpha * speed, x
         x, v = xx * x + xv * v + xf * acted, vx * x + vv * v + vf * acted
-        if 2 * tick >= ticks:
-            largest = np.maximum(largest, np.abs(x))
+    largest = np.maximum(largest, np.abs(x))
     return {"position": x, "velocity": v, "observed_energy": observed, "largest": largest}
 
 
@@ -117,6 +118,14 @@ def test_closed_loops_are_those_of_numpy():
     one = {name: it[7:8].copy() if isinstance(it, np.ndarray) else it for name, it in given.items()}
     alone = ly.closed_loop(200, PERIOD, **one, stabilizer=ly.Stabilizer("popc", limit=LIMIT))
     assert all(alone[name][0] == told[name][7] for name in told)
+
+
+@pytest.mark.parametrize("ticks", [0, 1, 2, 3, 10, 11])
+def test_the_second_half_begins_at_half_of_the_ticks(ticks):
+    # Uniform motion inwards: the largest is the first that counts.
+    told = ly.closed_loop(ticks, PERIOD, mass=1.0, wall_stiffness=0.0, position=-1.0, velocity=1.0)
+    assert told["largest"][0] == pytest.approx(1.0 - PERIOD * ((ticks + 1) // 2), abs=1e-12)
+    assert told["position"][0] == pytest.approx(PERIOD * ticks - 1.0, abs=1e-12)
 
 
 def test_a_stiff_wall_runs_away_alone_and_not_with_popc():

@@ -15,7 +15,8 @@ use crate::lab::pool;
 
 /// Simulates closed loops: a mass with damping on a hand's spring, moved exactly, against a one-sided wall that is sampled and
 /// held, with a stabilizer at the servo's rate. Returns float64 arrays of shape (loops,) by name: `position`, m, and
-/// `velocity`, m/s, at the end, `observed_energy`, J, and `largest`, the largest |position| in the second half, m.
+/// `velocity`, m/s, at the end, `observed_energy`, J, and `largest`, the largest |position| from
+/// half of the ticks on to the end, both counted, m.
 ///
 /// `mass`, kg, `damping`, N·s/m, and `stiffness`, N/m, of hand and device together, the hand resting at 0; `position`, m, and
 /// `velocity`, m/s, at the start; `wall_stiffness`, N/m, `wall_damping`, N·s/m, and `wall_position`, m: each a float, or a

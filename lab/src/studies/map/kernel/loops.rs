@@ -95,7 +95,7 @@ pub struct Ends {
     pub velocity: Vec<f64>,
     /// Observed energy at the last tick, J.
     pub observed_energy: Vec<f64>,
-    /// The largest |position| in the second half, m.
+    /// The largest |position| from half of the ticks on, the start and the end counted, m.
     pub largest: Vec<f64>,
 }
 
@@ -319,18 +319,15 @@ impl<T: Batch, S: Accounted<T>> NullaryFnOnce for Ticks<'_, T, S> {
 
     #[inline(always)]
     fn call(mut self) {
-        // A tick sees the position before its motion: the first of these is the last of the first half.
+        // A tick sees the position before its motion: the first half ends before that at half of all ticks.
         let half = self.ticks.div_ceil(2);
-        let first = self.ticks.min(half + 1);
-        self.run(first);
+        self.run(half);
         for group in self.groups.iter_mut() {
             group.seen.reach = T::zero();
         }
-        self.run(self.ticks - first);
-        if self.ticks > half {
-            for Group { looped, seen } in self.groups {
-                seen.reach = seen.reach.larger(looped.sample.position.magnitude());
-            }
+        self.run(self.ticks - half);
+        for Group { looped, seen } in self.groups {
+            seen.reach = seen.reach.larger(looped.sample.position.magnitude());
         }
     }
 }
