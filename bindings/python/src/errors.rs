@@ -36,9 +36,27 @@ pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
     told().map_or_else(|failed| failed, |()| error)
 }
 
-/// The exception of a rejected parameter.
+/// Parameters of the library that arguments here have shorter names for.
+const ARGUMENTS: [(&str, &str); 12] = [
+    ("barrier decay", "decay"),
+    ("correction rate", "rate"),
+    ("damping_cap", "cap"),
+    ("damping_limit", "limit"),
+    ("device damping", "damping"),
+    ("energy-bounding c1", "c1"),
+    ("energy-bounding c2", "c2"),
+    ("fastest motion", "no_faster_than"),
+    ("filter cutoff", "cutoff"),
+    ("most stored credit", "credit"),
+    ("tank power", "power"),
+    ("velocity threshold", "velocity"),
+];
+
+/// The exception of a rejected parameter, by the name that the argument has.
 pub(crate) fn parameter(error: ParameterError) -> PyErr {
-    InputError::new_err(error.to_string())
+    let named = ARGUMENTS.iter().find(|(parameter, _)| *parameter == error.parameter);
+    let parameter = named.map_or(error.parameter, |(_, argument)| *argument);
+    InputError::new_err(ParameterError { parameter, ..error }.to_string())
 }
 
 /// The exception of wrong input in words.

@@ -164,6 +164,20 @@ def test_arrays_of_other_shapes_do_not_mix():
         ly.Batch(ly.Stabilizer("popc", limit=LIMIT), 0, PERIOD)
 
 
+@pytest.mark.parametrize("value", [-1.0, np.nan])
+@pytest.mark.parametrize(
+    "name", ["mass", "damping", "stiffness", "position", "velocity", "wall_stiffness", "wall_damping", "wall_position"]
+)
+def test_what_a_closed_loop_cannot_have_is_named(name, value):
+    given = {"mass": 1.0, "wall_stiffness": 1.0}
+    if value < 0.0 and name in {"position", "velocity", "wall_position"}:
+        assert ly.closed_loop(3, PERIOD, **{**given, name: value})["position"].shape == (1,)
+        return
+    for told in (value, np.array([1.0, value])):
+        with pytest.raises(ly.InputError, match=f"^{name} is "):
+            ly.closed_loop(3, PERIOD, **{**given, name: told})
+
+
 def test_members_of_an_ensemble_are_scenes_by_their_numbers():
     scene = ly.Scene.shipped("paper-8k-popc")
     told = ly.ensemble(scene, 12, seed=5)

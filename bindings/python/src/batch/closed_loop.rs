@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use super::arrays::{Given, array};
 use crate::blocks::{Recipe, Stabilizer};
 use crate::errors;
-use crate::lab::pool;
+use crate::lab::{Fault, wait_here};
 
 /// Simulates closed loops: a mass with damping on a hand's spring, moved exactly, against a one-sided wall that is sampled and
 /// held, with a stabilizer at the servo's rate. Returns float64 arrays of shape (loops,) by name: `position`, m, and
@@ -65,8 +65,10 @@ pub(crate) fn closed_loop<'py>(
         wall_damping: wall_damping?,
         wall_position: wall_position?,
     };
-    let pool = pool()?;
-    let ends = py.detach(|| pool.install(|| loops.ends(&recipe))).map_err(errors::parameter)?;
+    let ends = wait_here(py, |watched| {
+        let ends = loops.ends(&recipe, &|| watched.go_on().is_continue());
+        ends.map_err(errors::parameter)?.ok_or(Fault::Stopped)
+    })?;
     let results = PyDict::new(py);
     let named = [
         ("position", ends.position),

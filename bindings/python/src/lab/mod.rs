@@ -19,4 +19,4 @@ mod work;
 pub(crate) use scene::Scene;
 pub(crate) use shard::{map_merge, map_shard, shard_head};
 pub(crate) use told::Told;
-pub(crate) use work::pool;
+pub(crate) use work::{Fault, pool, wait_here};
