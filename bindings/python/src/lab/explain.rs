@@ -12,8 +12,12 @@ use super::{Scene, Told};
 #[pyfunction]
 pub(crate) fn explain(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
-    wait(py, None, 1, move |_| {
-        let explanation = in_space!(scene, Axes => Explanation::of::<Axes>(&scene));
+    wait(py, None, 1, move |watched| {
+        let watch = |_| watched.go_on();
+        let explanation = in_space!(scene, Axes => Explanation::watched::<Axes>(&scene, &watch));
+        if watched.go_on().is_break() {
+            return Err(Fault::Stopped);
+        }
         let explanation =
             explanation.map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
         Ok(Told {
