@@ -70,6 +70,22 @@ def test_a_replay_asks_a_candidate_in_python():
     assert np.array_equal(told.effort, popc.effort)
 
 
+def test_a_replay_ends_where_a_candidate_raises():
+    class Broken:
+        calls = 0
+
+        def decrease(self, sample):
+            self.calls += 1
+            if self.calls == 3:
+                raise LookupError("third")
+            return 0.0
+
+    broken, log = Broken(), [it[:, 0].copy() for it in recorded(100, 1, 1)]
+    with pytest.raises(LookupError, match="third"):
+        ly.replay(ly.Readings(PERIOD), ly.Stabilizer("lolc", limit=LIMIT, candidate=broken), *log)
+    assert broken.calls == 3
+
+
 def closed_in_numpy(ticks, period, mass, damping, stiffness, position, velocity, wall_stiffness, wall_damping, limit):
     """The same loops in NumPy: the exact motion by the closed form of a damped oscillator."""
     decay, natural = damping / (2 * mass), np.sqrt(stiffness / mass - (damping / (2 * mass)) ** 2)

@@ -12,6 +12,10 @@ use crate::errors;
 /// Member of the family with any candidate.
 type Made<V> = Member<V, Candidate>;
 
+/// What makes a correction of a sample and an effort.
+type Stabilize<'a, V> =
+    dyn FnMut(&lyapunov::PortSample<V>, V) -> PyResult<lyapunov::Correction<V>> + 'a;
+
 on_any_axes! {
     /// A stabilizer, whatever its axes.
     #[derive(Debug)]
@@ -49,12 +53,17 @@ impl Stabilizer {
     /// Runs `stabilize` of the member over samples of `V`, those of a recorded log.
     pub(crate) fn with_member<V: Axes, R>(
         &mut self,
-        run: impl FnOnce(&mut dyn FnMut(&lyapunov::PortSample<V>, V) -> lyapunov::Correction<V>) -> R,
+        run: impl FnOnce(&mut Stabilize<'_, V>) -> PyResult<R>,
     ) -> PyResult<R> {
         let member = V::member(&mut self.member)?;
-        let result = run(&mut |sample, effort| member.stabilize(sample, effort));
-        self.raised.check()?;
-        Ok(result)
+        let (asks_python, raised) = (self.recipe.object.is_some(), &self.raised);
+        run(&mut |sample, effort| {
+            let corrected = member.stabilize(sample, effort);
+            if asks_python {
+                raised.check()?;
+            }
+            Ok(corrected)
+        })
     }
 }
 
