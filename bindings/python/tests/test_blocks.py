@@ -189,6 +189,20 @@ def test_clocks_and_measured_velocities():
         readings.read(0.3, 0.0, velocity=0.0)
 
 
+@pytest.mark.parametrize("kind", [{}, {"cutoff": 50.0}, {"clocked": True}])
+def test_a_velocity_that_nothing_uses_is_refused(kind):
+    told = {"now": 1.0} if kind.get("clocked") else {}
+    with pytest.raises(ly.InputError, match="a velocity is given.*\\n.*measured=True"):
+        ly.Readings(PERIOD, **kind).read(0.0, 0.0, velocity=5.0, **told)
+
+
+@pytest.mark.parametrize("kind", [{}, {"cutoff": 50.0}, {"measured": True}])
+def test_a_time_that_nothing_uses_is_refused(kind):
+    told = {"velocity": 1.0} if kind.get("measured") else {}
+    with pytest.raises(ly.InputError, match="a time is given.*\\n.*clocked=True"):
+        ly.Readings(PERIOD, **kind).read(0.0, 0.0, now=5.0, **told)
+
+
 @pytest.mark.parametrize(
     "make, message",
     [

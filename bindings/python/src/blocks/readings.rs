@@ -221,6 +221,19 @@ fn sample<V: Axes>(
     velocity: Option<&Bound<'_, PyAny>>,
     now: Option<f64>,
 ) -> PyResult<Sample> {
+    if velocity.is_some() && !matches!(kinds, Kinds::Measured(_) | Kinds::MeasuredAt(_)) {
+        return Err(errors::input(
+            "a velocity is given, which these readings estimate themselves\n  = leave velocity out, or make them with \
+             measured=True",
+        ));
+    }
+    if now.is_some()
+        && matches!(kinds, Kinds::Differenced(_) | Kinds::LowPassed(_) | Kinds::Measured(_))
+    {
+        return Err(errors::input(
+            "a time is given, and these readings have no clock\n  = leave now out, or make them with clocked=True",
+        ));
+    }
     // A position that is not finite is no reading.
     let position = match position.is_none() {
         true => V::from_axes(|_| f64::NAN),
