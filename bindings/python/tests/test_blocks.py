@@ -288,5 +288,9 @@ def test_samples_and_corrections_by_hand():
     assert sample.work == pytest.approx(3e-4) and sample.accepted and sample == ly.Sample(PERIOD, 0.1, 0.2, 1e-4, 3.0)
     correction = ly.Correction([1.0, 2.0], alpha=3.0, axes=2)
     assert correction.effort.tolist() == [1.0, 2.0] and correction.alpha == 3.0
+    # What is shown makes the same again.
+    for shown in (correction, ly.Correction(1.0)):
+        assert eval(repr(shown), {"Correction": ly.Correction}) == shown
+    assert "effort=1.0" in repr(ly.Correction(1.0)) and "position=0.1" in repr(sample)
     assert "alpha=3.0" in repr(correction) and "period=0.001" in repr(sample)
     assert random.Random(1).random() != sample

@@ -30,7 +30,7 @@ struct Group<V: Lanes> {
 }
 
 /// Groups of loops, whatever their axes.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum AnyGroups {
     One(Vec<Group<F64x8>>),
     Two(Vec<Group<SVector<F64x8, 2>>>),
@@ -43,8 +43,8 @@ enum AnyGroups {
 ///
 /// `Batch(stabilizer, loops, period, *, no_faster_than=None)`: as many fresh copies of `stabilizer`, which is left as it is,
 /// and readings every `period` seconds. A candidate written in Python cannot be one of them.
-#[pyclass(module = "lyapunov")]
-#[derive(Debug)]
+#[pyclass(module = "lyapunov", skip_from_py_object)]
+#[derive(Clone, Debug)]
 pub(crate) struct Batch {
     groups: AnyGroups,
     loops: usize,
@@ -139,6 +139,15 @@ impl Batch {
             AnyGroups::Six(groups) => stabilized(py, groups, loops, &given),
             AnyGroups::Seven(groups) => stabilized(py, groups, loops, &given),
         }
+    }
+
+    /// A copy with the same memory.
+    fn __copy__(&self) -> Self {
+        self.clone()
+    }
+
+    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+        self.clone()
     }
 
     fn __repr__(&self) -> String {

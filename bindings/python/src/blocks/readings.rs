@@ -5,7 +5,7 @@ use lyapunov::{CheckedSample, MovingReading, PortSample, Reading, Readings as Me
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::Sample;
+use super::{Sample, stored};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
 
@@ -176,12 +176,9 @@ impl Readings {
 
 impl Readings {
     fn memory(&self) -> PyResult<Vec<u8>> {
-        let mut bytes = Vec::new();
-        whatever_axes!(&self.readings, AnyReadings, it => whatever_kind!(it, it => {
-            ciborium::into_writer(&it.state(), &mut bytes)
-        }))
-        .map_err(errors::internal)?;
-        Ok(bytes)
+        whatever_axes!(&self.readings, AnyReadings, it => {
+            whatever_kind!(it, it => stored::write(&it.state()))
+        })
     }
 }
 
@@ -203,8 +200,7 @@ fn restored<V: Axes>(kinds: Kinds<V>, memory: &[u8]) -> PyResult<Kinds<V>> {
         ($($kind:ident),+) => {
             match kinds {
                 $(Kinds::$kind(fresh) => {
-                    let state = ciborium::from_reader(memory)
-                        .map_err(|error| errors::input(format!("the memory is damaged: {error}")))?;
+                    let state = stored::read(memory)?;
                     Kinds::$kind(fresh.restored(state).map_err(errors::parameter)?)
                 })+
             }

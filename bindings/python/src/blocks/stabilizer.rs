@@ -5,7 +5,7 @@ use lyapunov::{Signal, Snapshot, Stabilizer as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use super::{Candidate, Correction, Raised, Recipe, Sample};
+use super::{Candidate, Correction, Raised, Recipe, Sample, copied, stored};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
 
@@ -128,8 +128,19 @@ impl Stabilizer {
         Ok(copy)
     }
 
-    fn __deepcopy__(&self, py: Python<'_>, _memo: &Bound<'_, PyAny>) -> PyResult<Self> {
-        self.__copy__(py)
+    /// A copy with a copy of its candidate, which may hold the stabilizer.
+    fn __deepcopy__<'py>(
+        slf: &Bound<'py, Self>,
+        memo: &Bound<'py, PyDict>,
+    ) -> PyResult<Bound<'py, Self>> {
+        let py = slf.py();
+        let copy = Bound::new(py, slf.try_borrow()?.__copy__(py)?)?;
+        memo.set_item(slf.as_ptr() as usize, &copy)?;
+        let shared = slf.try_borrow()?.recipe.object.as_ref().map(|it| it.clone_ref(py));
+        if let Some(own) = shared.map(|it| copied(it.bind(py), memo)).transpose()? {
+            copy.try_borrow_mut()?.ask(own)?;
+        }
+        Ok(copy)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
@@ -163,12 +174,15 @@ impl Stabilizer {
 }
 
 impl Stabilizer {
+    /// Takes another candidate in Python in place of the one that it has.
+    fn ask(&mut self, object: Py<PyAny>) -> PyResult<()> {
+        self.recipe.object = Some(object);
+        self.remember(&self.memory()?)
+    }
+
     /// The memory as bytes that keep every bit.
     fn memory(&self) -> PyResult<Vec<u8>> {
-        let mut bytes = Vec::new();
-        whatever_axes!(&self.member, AnyMember, it => ciborium::into_writer(&it.state(), &mut bytes))
-            .map_err(errors::internal)?;
-        Ok(bytes)
+        whatever_axes!(&self.member, AnyMember, it => stored::write(&it.state()))
     }
 
     fn remember(&mut self, memory: &[u8]) -> PyResult<()> {
@@ -182,8 +196,7 @@ impl Stabilizer {
 }
 
 fn restored<V: Axes>(member: Made<V>, memory: &[u8]) -> PyResult<Made<V>> {
-    let state: MemberState<V, Candidate> = ciborium::from_reader(memory)
-        .map_err(|error| errors::input(format!("the memory is damaged: {error}")))?;
+    let state: MemberState<V, Candidate> = stored::read(memory)?;
     member.restored(state).map_err(errors::parameter)
 }
 
