@@ -22,7 +22,10 @@ create_exception!(
 
 /// The exception of a fault in a scene, with its parts as attributes.
 pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
-    let error = SceneError::new_err(fault.to_string());
+    // An exception is shown under its own name, which says that it is an error.
+    let text = fault.to_string();
+    let text = text.strip_prefix("error: ").unwrap_or(&text).to_owned();
+    let error = SceneError::new_err(text);
     let told = || -> PyResult<()> {
         let value = error.value(py);
         value.setattr("name", fault.name())?;

@@ -144,7 +144,7 @@ def test_a_wrong_scene_names_key_place_and_remedy(tmp_path):
     assert (told.value.line, told.value.name) == (4, str(file))
     assert told.value.remedies
     said = subprocess.run([sys.executable, "-m", "lyapunov", "run", str(file)], capture_output=True, text=True, check=False)
-    assert said.returncode == 2 and said.stderr.strip() == str(told.value).strip()
+    assert said.returncode == 2 and said.stderr.strip() == f"error: {told.value}".strip()
     wrong = {**TABLES, "device": {"mass": -0.2}}
     with pytest.raises(ly.SceneError) as told:
         ly.Scene(wrong)

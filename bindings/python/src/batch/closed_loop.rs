@@ -12,6 +12,7 @@ use super::arrays::{Given, array};
 use crate::blocks::{Recipe, Stabilizer};
 use crate::errors;
 use crate::lab::{Fault, wait_here};
+use crate::whole;
 
 /// Simulates closed loops: a mass with damping on a hand's spring, moved exactly, against a one-sided wall that is sampled and
 /// held, with a stabilizer at the servo's rate. Returns float64 arrays of shape (loops,) by name: `position`, m, and
@@ -28,7 +29,7 @@ use crate::lab::{Fault, wait_here};
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn closed_loop<'py>(
     py: Python<'py>,
-    ticks: u64,
+    #[pyo3(from_py_with = whole::ticks)] ticks: u64,
     period: f64,
     mass: &Bound<'py, PyAny>,
     wall_stiffness: &Bound<'py, PyAny>,

@@ -15,6 +15,7 @@ use crate::axes::no_block_of;
 use crate::blocks::{Recipe, Stabilizer};
 use crate::errors;
 use crate::lab::pool;
+use crate::whole;
 
 /// Groups of loops that a thread takes at once.
 const SHARE: usize = 16;
@@ -79,7 +80,7 @@ impl Batch {
     #[pyo3(signature = (stabilizer, loops, period, *, no_faster_than=None))]
     fn new(
         stabilizer: &Stabilizer,
-        loops: usize,
+        #[pyo3(from_py_with = whole::loops)] loops: usize,
         period: f64,
         no_faster_than: Option<f64>,
     ) -> PyResult<Self> {

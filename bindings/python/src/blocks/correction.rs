@@ -7,6 +7,7 @@ use pyo3::types::PyBytes;
 use super::sample::shown;
 use super::stored;
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::whole;
 
 on_any_axes! {
     /// A correction, whatever its axes.
@@ -32,7 +33,7 @@ impl Correction {
         alpha: f64,
         shortfall: f64,
         accepted: bool,
-        axes: usize,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
     ) -> PyResult<Self> {
         with_axes!(axes, AnyCorrection, V => Corrected {
             effort: V::read(effort, "effort")?,

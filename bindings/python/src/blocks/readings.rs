@@ -8,6 +8,7 @@ use pyo3::types::PyBytes;
 use super::{Sample, stored};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
+use crate::whole;
 
 /// The readings with each estimator of the velocity, with and without a clock.
 #[derive(Clone, Copy, Debug)]
@@ -96,7 +97,7 @@ impl Readings {
     #[pyo3(signature = (period, *, axes=1, no_faster_than=None, cutoff=None, measured=false, clocked=false))]
     fn new(
         period: f64,
-        axes: usize,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
         no_faster_than: Option<f64>,
         cutoff: Option<f64>,
         measured: bool,

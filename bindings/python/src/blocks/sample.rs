@@ -6,6 +6,7 @@ use pyo3::types::PyBytes;
 
 use super::stored;
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::whole;
 
 on_any_axes! {
     /// A sample, whatever its axes.
@@ -50,7 +51,7 @@ impl Sample {
         velocity: &Bound<'_, PyAny>,
         displacement: &Bound<'_, PyAny>,
         applied: &Bound<'_, PyAny>,
-        axes: usize,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
     ) -> PyResult<Self> {
         let signals = [position, velocity, displacement, applied];
         with_axes!(axes, AnySample, V => by_hand::<V>(period, signals)?).map(Self)

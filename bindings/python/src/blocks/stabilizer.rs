@@ -8,6 +8,7 @@ use pyo3::types::{PyBytes, PyDict};
 use super::{Candidate, Correction, Raised, Recipe, Sample, copied, stored};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
+use crate::whole;
 
 /// Member of the family with any candidate.
 type Made<V> = Member<V, Candidate>;
@@ -86,7 +87,11 @@ fn made<V: Signal<Scalar = f64>>(recipe: &Recipe, raised: &Raised) -> PyResult<M
 impl Stabilizer {
     #[new]
     #[pyo3(signature = (name, *, axes=1, **numbers))]
-    fn new(name: &str, axes: usize, numbers: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn new(
+        name: &str,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
+        numbers: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
         Self::of(Recipe::of(name, numbers)?, axes)
     }
 

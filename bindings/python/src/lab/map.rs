@@ -15,6 +15,7 @@ use super::compare::words;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
+use crate::whole;
 
 /// Where a run settles, swings or grows over the axes `x` and `y`, each as KEY=FROM..TO:N[:log].
 #[pyfunction]
@@ -25,7 +26,7 @@ pub(crate) fn map(
     x: &str,
     y: Option<&str>,
     stabilizers: &str,
-    threads: Option<usize>,
+    #[pyo3(from_py_with = whole::threads_if_any)] threads: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
