@@ -26,6 +26,14 @@ def test_a_run_tells_the_stabilizer_that_ran(scene):
     assert "observed by the stabilizer" in told.svg[0]
 
 
+def test_a_name_is_that_of_one_stabilizer():
+    scene = ly.Scene.shipped("paper-50k-none")
+    with pytest.raises(ly.InputError, match="`none` is a stabilizer of the family that takes part"):
+        ly.compare(scene, stabilizers="none", own={"none": Damper})
+    with pytest.raises(ly.InputError, match="there is no scene"):
+        ly.compare()
+
+
 def test_a_block_runs_in_a_scene_by_its_name_and_numbers():
     limit = ly.damping_limit(0.1 + 0.2, 0.01)
     block = ly.run(ly.Scene.shipped("paper-50k-none"), stabilizer=ly.Stabilizer("popc", limit=limit))
