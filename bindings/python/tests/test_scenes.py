@@ -7,7 +7,8 @@ from pathlib import Path
 import lyapunov as ly
 import pytest
 
-SCENES = sorted((Path(__file__).parents[3] / "scenes").glob("*.toml"))
+ROOT = Path(__file__).parents[3]
+SCENES = sorted((ROOT / "scenes").glob("*.toml"))
 TABLES = {"duration": 1.0, "servo_rate": 1000, "device": {"mass": 0.2}, "environment": {"wall": {"stiffness": 8000.0}}}
 
 
@@ -36,6 +37,16 @@ def test_a_cap_that_is_left_out_stays_left_out(name, effects):
     # A delay that is added to the copy sets the cap, as where the file has it from the start.
     later = ly.Scene({**scene.to_dict(), "effects": {"delay": {"ticks": 5}}})
     assert later == ly.Scene({**TABLES, "stabilizer": {name: {}}, "effects": {"delay": {"ticks": 5}}})
+
+
+def test_a_recorded_motion_travels_with_its_scene(tmp_path, monkeypatch):
+    shipped, read = ly.Scene.shipped("motion-file"), ly.Scene(ROOT / "scenes" / "motion-file.toml")
+    monkeypatch.chdir(tmp_path)
+    for scene in (shipped, ly.Scene.shipped("motion-file"), read):
+        assert pickle.loads(pickle.dumps(scene)) == copy.deepcopy(scene) == scene
+    expected = ly.run(read).table
+    for name, column in ly.run(pickle.loads(pickle.dumps(shipped))).table.items():
+        assert list(column) == list(expected[name]), name
 
 
 def test_what_is_told_of_a_run_has_the_cap_that_ran():

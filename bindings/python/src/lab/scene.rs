@@ -1,8 +1,9 @@
 //! Scene.
 
-use std::path::PathBuf;
+use std::io::{self, Cursor, ErrorKind, Read};
+use std::path::{Path, PathBuf};
 
-use lyapunov_lab::scene as lab;
+use lyapunov_lab::scene::{self as lab, Motion};
 use lyapunov_lab::scenes::text_of;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -54,7 +55,12 @@ impl Scene {
     #[staticmethod]
     fn shipped(py: Python<'_>, name: &str) -> PyResult<Self> {
         let text = text_of(name).map_err(errors::input)?;
-        Self::read(py, text, name.to_owned())
+        // What a scene that ships reads ships with it.
+        let open = |path: &Path| match text_of(&path.to_string_lossy()) {
+            Ok(text) => Ok(Box::new(text.as_bytes()) as Box<dyn Read>),
+            Err(_) => Err(ErrorKind::NotFound.into()),
+        };
+        Self::beside(py, text, name.to_owned(), &open)
     }
 
     /// The scene in TOML, with all its numbers; a cap that it leaves out stays left out, as it follows the delay.
@@ -83,12 +89,22 @@ impl Scene {
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let this = slf.get();
         let again = slf.get_type().getattr("_restored")?;
-        (again, (this.to_toml()?, this.name.clone())).into_pyobject(slf.py()).map(Bound::into_any)
+        let parts = (this.to_toml()?, this.name.clone(), this.motion());
+        (again, parts).into_pyobject(slf.py()).map(Bound::into_any)
     }
 
     #[staticmethod]
-    fn _restored(py: Python<'_>, text: &str, name: String) -> PyResult<Self> {
-        Self::read(py, text, name)
+    fn _restored(
+        py: Python<'_>,
+        text: &str,
+        name: String,
+        motion: Option<Vec<u8>>,
+    ) -> PyResult<Self> {
+        let open = |_: &Path| match &motion {
+            Some(rows) => Ok(Box::new(Cursor::new(rows.clone())) as Box<dyn Read>),
+            None => Err(ErrorKind::NotFound.into()),
+        };
+        Self::beside(py, text, name, &open)
     }
 
     fn __repr__(&self) -> String {
@@ -97,6 +113,23 @@ impl Scene {
 }
 
 impl Scene {
+    fn beside(
+        py: Python<'_>,
+        text: &str,
+        name: String,
+        open: &dyn Fn(&Path) -> io::Result<Box<dyn Read>>,
+    ) -> PyResult<Self> {
+        let scene = lab::Scene::parse_beside(text, &name, open);
+        Ok(Self { scene: scene.map_err(|fault| errors::scene(py, &fault))?, name })
+    }
+
+    /// The rows of its recorded motion, which need not be where the scene is read again.
+    fn motion(&self) -> Option<Vec<u8>> {
+        let Some(Motion::File { samples, .. }) = &self.scene.operator.motion else { return None };
+        let rows = samples.iter().map(|(t, rest)| format!("{t:?},{rest:?}\n"));
+        Some(format!("t,rest\n{}", rows.collect::<String>()).into_bytes())
+    }
+
     fn read(py: Python<'_>, text: &str, name: String) -> PyResult<Self> {
         let scene = lab::Scene::parse(text, &name).map_err(|fault| errors::scene(py, &fault))?;
         Ok(Self { scene, name })
