@@ -48,7 +48,7 @@ class Sample:
     def axes(self) -> int: ...
     @property
     def period(self) -> float:
-        """s."""
+        """s: since the last accepted reading, or this tick's where this one was not accepted."""
     @property
     def position(self) -> Any:
         """m: float, or array of shape (axes,)."""
@@ -63,7 +63,7 @@ class Sample:
         """N: float, or array of shape (axes,)."""
     @property
     def work(self) -> Any:
-        """J on each axis: float, or array of shape (axes,)."""
+        """J on each axis: float, or array of shape (axes,); of several efforts the least, NaN where not accepted."""
     @property
     def accepted(self) -> bool: ...
     @property
@@ -269,7 +269,10 @@ def closed_loop(
     wall_position: float | _Vector | None = None,
     stabilizer: Stabilizer | None = None,
 ) -> dict[str, _Vector]:
-    """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name."""
+    """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name.
+
+    `largest` is the largest |position| from half of the ticks on to the end, both counted.
+    """
 
 @final
 class Scene:
