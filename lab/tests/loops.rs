@@ -49,10 +49,12 @@ fn alone(loops: &Loops<'_>, name: &'static str, at: usize) -> [f64; 4] {
     let wall = wall.at(of(loops.wall_position));
     let mut port = wall.stabilized(Named(name).make::<f64>().unwrap()).differenced();
     let (mut sample, mut largest) = (plant.start(), 0.0_f64);
-    for tick in 0..loops.ticks {
-        sample = plant.advance(port.respond(&sample));
+    for tick in 0..=loops.ticks {
         if 2 * tick >= loops.ticks {
             largest = largest.max(sample.position.abs());
+        }
+        if tick < loops.ticks {
+            sample = plant.advance(port.respond(&sample));
         }
     }
     [sample.position, sample.velocity, port.correction().observed_energy, largest]
@@ -78,7 +80,7 @@ fn have_the_bits(ticks: u64, start: &[f64]) {
         wall_position: Numbers::All(5e-4),
     };
     for name in ["none", "popc", "lolc", "popc-bounded"] {
-        let ends = loops.ends(&Named(name)).unwrap();
+        let ends = loops.ends(&Named(name), &|| true).unwrap().unwrap();
         assert_eq!(ends.position.len(), count);
         for at in 0..count {
             let told = [&ends.position, &ends.velocity, &ends.observed_energy, &ends.largest];
@@ -90,7 +92,16 @@ fn have_the_bits(ticks: u64, start: &[f64]) {
     // What a body cannot have is said as by the body.
     let heavy =
         Loops { impedance: Impedance { mass: Numbers::All(0.0), ..loops.impedance }, ..loops };
-    assert_eq!(heavy.ends(&Named("popc")).unwrap_err().parameter, "mass");
+    let fault = |loops: &Loops<'_>| loops.ends(&Named("popc"), &|| true).unwrap_err().parameter;
+    assert_eq!(fault(&heavy), "mass");
+    // Numbers of the wall have names of their own here, and no part checks where a loop starts.
+    let nowhere = Numbers::All(f64::NAN);
+    assert_eq!(fault(&Loops { wall_stiffness: Numbers::All(-1.0), ..loops }), "wall_stiffness");
+    assert_eq!(fault(&Loops { wall_damping: nowhere, ..loops }), "wall_damping");
+    assert_eq!(fault(&Loops { position: nowhere, ..loops }), "position");
+    assert_eq!(fault(&Loops { wall_position: nowhere, ..loops }), "wall_position");
+    // One that is stopped ends nowhere.
+    assert!(ticks == 0 || loops.ends(&Named("popc"), &|| false).unwrap().is_none());
 }
 
 /// Groups of any lanes and some lanes more; halves of even, odd and no ticks.

@@ -68,6 +68,13 @@ fn wrong(value: &Bound<'_, PyAny>, name: &str, count: usize) -> PyErr {
     PyTypeError::new_err(format!("{name} is {found}; give {wanted}"))
 }
 
+/// The error of an array that does not lie where a float64 may.
+pub(crate) fn misaligned(name: &str) -> PyErr {
+    PyValueError::new_err(format!(
+        "{name} is not aligned in memory, as an array over foreign bytes may be; give numpy.array({name}), a copy"
+    ))
+}
+
 impl Axes for f64 {
     const COUNT: usize = 1;
 
@@ -200,6 +207,9 @@ fn vector<const N: usize>(value: &Bound<'_, PyAny>, name: &str) -> PyResult<SVec
     if let Ok(array) = value.cast::<PyArray1<f64>>() {
         if array.len() != N {
             return Err(wrong(value, name, N));
+        }
+        if !array.is_aligned() {
+            return Err(misaligned(name));
         }
         // One by one: to borrow the array takes longer than the step.
         return Ok(SVector::from_fn(|axis, _| array.get_owned([axis]).unwrap_or(f64::NAN)));

@@ -22,7 +22,10 @@ create_exception!(
 
 /// The exception of a fault in a scene, with its parts as attributes.
 pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
-    let error = SceneError::new_err(fault.to_string());
+    // An exception is shown under its own name, which says that it is an error.
+    let text = fault.to_string();
+    let text = text.strip_prefix("error: ").unwrap_or(&text).to_owned();
+    let error = SceneError::new_err(text);
     let told = || -> PyResult<()> {
         let value = error.value(py);
         value.setattr("name", fault.name())?;
@@ -36,9 +39,27 @@ pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
     told().map_or_else(|failed| failed, |()| error)
 }
 
-/// The exception of a rejected parameter.
+/// Parameters of the library that arguments here have shorter names for.
+const ARGUMENTS: [(&str, &str); 12] = [
+    ("barrier decay", "decay"),
+    ("correction rate", "rate"),
+    ("damping_cap", "cap"),
+    ("damping_limit", "limit"),
+    ("device damping", "damping"),
+    ("energy-bounding c1", "c1"),
+    ("energy-bounding c2", "c2"),
+    ("fastest motion", "no_faster_than"),
+    ("filter cutoff", "cutoff"),
+    ("most stored credit", "credit"),
+    ("tank power", "power"),
+    ("velocity threshold", "velocity"),
+];
+
+/// The exception of a rejected parameter, by the name that the argument has.
 pub(crate) fn parameter(error: ParameterError) -> PyErr {
-    InputError::new_err(error.to_string())
+    let named = ARGUMENTS.iter().find(|(parameter, _)| *parameter == error.parameter);
+    let parameter = named.map_or(error.parameter, |(_, argument)| *argument);
+    InputError::new_err(ParameterError { parameter, ..error }.to_string())
 }
 
 /// The exception of wrong input in words.

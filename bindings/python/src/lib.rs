@@ -6,12 +6,14 @@ mod blocks;
 mod command;
 mod errors;
 mod lab;
+mod whole;
 
 use pyo3::prelude::*;
 
 /// Blocks, batches and the lab of lyapunov, compiled.
 #[pymodule]
 mod _lyapunov {
+    use numpy::PyArrayMethods;
     use pyo3::prelude::*;
 
     #[pymodule_export]
@@ -47,6 +49,8 @@ mod _lyapunov {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        // What is looked up in NumPy once is looked up here, and not within a call that may be interrupted.
+        drop(numpy::PyArray1::<f64>::zeros(module.py(), 0, false).try_readonly());
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("debug_assertions", cfg!(debug_assertions))?;
         crate::errors::add(module)

@@ -70,6 +70,22 @@ def test_a_replay_asks_a_candidate_in_python():
     assert np.array_equal(told.effort, popc.effort)
 
 
+def test_a_replay_ends_where_a_candidate_raises():
+    class Broken:
+        calls = 0
+
+        def decrease(self, sample):
+            self.calls += 1
+            if self.calls == 3:
+                raise LookupError("third")
+            return 0.0
+
+    broken, log = Broken(), [it[:, 0].copy() for it in recorded(100, 1, 1)]
+    with pytest.raises(LookupError, match="third"):
+        ly.replay(ly.Readings(PERIOD), ly.Stabilizer("lolc", limit=LIMIT, candidate=broken), *log)
+    assert broken.calls == 3
+
+
 def closed_in_numpy(ticks, period, mass, damping, stiffness, position, velocity, wall_stiffness, wall_damping, limit):
     """The same loops in NumPy: the exact motion by the closed form of a damped oscillator."""
     decay, natural = damping / (2 * mass), np.sqrt(stiffness / mass - (damping / (2 * mass)) ** 2)
@@ -81,6 +97,8 @@ def closed_in_numpy(ticks, period, mass, damping, stiffness, position, velocity,
     before, energy, acted = x.copy(), np.zeros_like(x), np.zeros_like(x)
     largest = np.zeros_like(x)
     for tick in range(ticks):
+        if 2 * tick >= ticks:
+            largest = np.maximum(largest, np.abs(x))
         moved = x - before
         speed = moved / period
         wall = np.where(x > 0, np.maximum(wall_stiffness * x + wall_damping * speed, 0), 0)
@@ -90,8 +108,7 @@ def closed_in_numpy(ticks, period, mass, damping, stiffness, position, velocity,
         alpha = np.where(acts, np.minimum(-energy / np.where(acts, square, 1.0), limit), 0.0)
         acted, before = wall + alpha * speed, x
         x, v = xx * x + xv * v + xf * acted, vx * x + vv * v + vf * acted
-        if 2 * tick >= ticks:
-            largest = np.maximum(largest, np.abs(x))
+    largest = np.maximum(largest, np.abs(x))
     return {"position": x, "velocity": v, "observed_energy": observed, "largest": largest}
 
 
@@ -117,6 +134,14 @@ def test_closed_loops_are_those_of_numpy():
     one = {name: it[7:8].copy() if isinstance(it, np.ndarray) else it for name, it in given.items()}
     alone = ly.closed_loop(200, PERIOD, **one, stabilizer=ly.Stabilizer("popc", limit=LIMIT))
     assert all(alone[name][0] == told[name][7] for name in told)
+
+
+@pytest.mark.parametrize("ticks", [0, 1, 2, 3, 10, 11])
+def test_the_second_half_begins_at_half_of_the_ticks(ticks):
+    # Uniform motion inwards: the largest is the first that counts.
+    told = ly.closed_loop(ticks, PERIOD, mass=1.0, wall_stiffness=0.0, position=-1.0, velocity=1.0)
+    assert told["largest"][0] == pytest.approx(1.0 - PERIOD * ((ticks + 1) // 2), abs=1e-12)
+    assert told["position"][0] == pytest.approx(PERIOD * ticks - 1.0, abs=1e-12)
 
 
 def test_a_stiff_wall_runs_away_alone_and_not_with_popc():
@@ -153,6 +178,20 @@ def test_arrays_of_other_shapes_do_not_mix():
         ly.closed_loop(10, PERIOD, mass=np.array([1.0, 0.0]), wall_stiffness=1.0)
     with pytest.raises(ValueError, match="loops is 0"):
         ly.Batch(ly.Stabilizer("popc", limit=LIMIT), 0, PERIOD)
+
+
+@pytest.mark.parametrize("value", [-1.0, np.nan])
+@pytest.mark.parametrize(
+    "name", ["mass", "damping", "stiffness", "position", "velocity", "wall_stiffness", "wall_damping", "wall_position"]
+)
+def test_what_a_closed_loop_cannot_have_is_named(name, value):
+    given = {"mass": 1.0, "wall_stiffness": 1.0}
+    if value < 0.0 and name in {"position", "velocity", "wall_position"}:
+        assert ly.closed_loop(3, PERIOD, **{**given, name: value})["position"].shape == (1,)
+        return
+    for told in (value, np.array([1.0, value])):
+        with pytest.raises(ly.InputError, match=f"^{name} is "):
+            ly.closed_loop(3, PERIOD, **{**given, name: told})
 
 
 def test_members_of_an_ensemble_are_scenes_by_their_numbers():

@@ -189,6 +189,20 @@ def test_clocks_and_measured_velocities():
         readings.read(0.3, 0.0, velocity=0.0)
 
 
+@pytest.mark.parametrize("kind", [{}, {"cutoff": 50.0}, {"clocked": True}])
+def test_a_velocity_that_nothing_uses_is_refused(kind):
+    told = {"now": 1.0} if kind.get("clocked") else {}
+    with pytest.raises(ly.InputError, match="a velocity is given.*\\n.*measured=True"):
+        ly.Readings(PERIOD, **kind).read(0.0, 0.0, velocity=5.0, **told)
+
+
+@pytest.mark.parametrize("kind", [{}, {"cutoff": 50.0}, {"measured": True}])
+def test_a_time_that_nothing_uses_is_refused(kind):
+    told = {"velocity": 1.0} if kind.get("measured") else {}
+    with pytest.raises(ly.InputError, match="a time is given.*\\n.*clocked=True"):
+        ly.Readings(PERIOD, **kind).read(0.0, 0.0, now=5.0, **told)
+
+
 @pytest.mark.parametrize(
     "make, message",
     [
@@ -197,13 +211,23 @@ def test_clocks_and_measured_velocities():
         (lambda: ly.Readings(PERIOD, cutoff=1.0, measured=True), "exclude each other"),
         (lambda: ly.Stabilizer("popcorn"), "no block is called `popcorn`"),
         (lambda: ly.Stabilizer("popc"), "`popc` needs limit"),
-        (lambda: ly.Stabilizer("popc", limit=-1.0), "damping_limit is -1.0"),
-        (lambda: ly.Stabilizer("popc", limit=math.nan), "damping_limit is NaN"),
+        (lambda: ly.Stabilizer("popc", limit=-1.0), "^limit is -1.0"),
+        (lambda: ly.Stabilizer("popc", limit=math.nan), "^limit is NaN"),
         (lambda: ly.Stabilizer("popc", limit=1.0, dampin=1.0), "`popc` has no dampin"),
         (lambda: ly.Stabilizer("lolc", limit=1.0), "needs damping or candidate"),
         (lambda: ly.Stabilizer("popc-spread", limit=1.0, ticks=1.5), "must be a whole number"),
         (lambda: ly.Stabilizer("tank", start=-1.0), "tank"),
         (lambda: ly.Observer(damping=-0.1), "damping is -0.1"),
+        (lambda: ly.damping_limit(1.0, PERIOD, cap=-1.0), "^cap is -1.0"),
+        (lambda: ly.Readings(PERIOD, no_faster_than=-1.0), "^no_faster_than is -1.0"),
+        (lambda: ly.Readings(PERIOD, cutoff=0.0), "^cutoff is 0.0"),
+        (lambda: ly.Stabilizer("popc-bounded", limit=1.0, credit=-1.0), "^credit is -1.0"),
+        (lambda: ly.Stabilizer("popc-rate-limited", limit=1.0, rate=-1.0), "^rate is -1.0"),
+        (lambda: ly.Stabilizer("popc-threshold", limit=1.0, velocity=-1.0), "^velocity is -1.0"),
+        (lambda: ly.Stabilizer("least-norm", limit=1.0, decay=2.0), "^decay is 2.0"),
+        (lambda: ly.Stabilizer("energy-bounding", c1=-1.0, c2=1.0), "^c1 is -1.0"),
+        (lambda: ly.Stabilizer("force-bound", damping=-1.0), "^damping is -1.0"),
+        (lambda: ly.Stabilizer("tank", start=1.0, power=-1.0), "^power is -1.0"),
     ],
 )
 def test_wrong_parameters_name_themselves(make, message):
@@ -264,5 +288,9 @@ def test_samples_and_corrections_by_hand():
     assert sample.work == pytest.approx(3e-4) and sample.accepted and sample == ly.Sample(PERIOD, 0.1, 0.2, 1e-4, 3.0)
     correction = ly.Correction([1.0, 2.0], alpha=3.0, axes=2)
     assert correction.effort.tolist() == [1.0, 2.0] and correction.alpha == 3.0
+    # What is shown makes the same again.
+    for shown in (correction, ly.Correction(1.0)):
+        assert eval(repr(shown), {"Correction": ly.Correction}) == shown
+    assert "effort=1.0" in repr(ly.Correction(1.0)) and "position=0.1" in repr(sample)
     assert "alpha=3.0" in repr(correction) and "period=0.001" in repr(sample)
     assert random.Random(1).random() != sample

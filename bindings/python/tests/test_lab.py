@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import contextmanager
 from pathlib import Path
 
 import lyapunov as ly
@@ -143,7 +144,7 @@ def test_a_wrong_scene_names_key_place_and_remedy(tmp_path):
     assert (told.value.line, told.value.name) == (4, str(file))
     assert told.value.remedies
     said = subprocess.run([sys.executable, "-m", "lyapunov", "run", str(file)], capture_output=True, text=True, check=False)
-    assert said.returncode == 2 and said.stderr.strip() == str(told.value).strip()
+    assert said.returncode == 2 and said.stderr.strip() == f"error: {told.value}".strip()
     wrong = {**TABLES, "device": {"mass": -0.2}}
     with pytest.raises(ly.SceneError) as told:
         ly.Scene(wrong)
@@ -220,8 +221,16 @@ def test_progress_is_told():
     assert all(one[0] <= other[0] for one, other in zip(told, told[1:]))
 
 
-def test_an_interrupt_ends_long_work():
-    endless = {**ly.Scene(WALL).to_dict(), "duration": 1e6}
+def test_the_progress_of_a_run_stays_within_its_total():
+    told = []
+    ly.run({**ly.Scene(WALL).to_dict(), "duration": 600.0}, progress=lambda done, total: told.append((done, total)))
+    assert all(0 <= done <= total == 60_000 for done, total in told)
+    assert all(one[0] <= other[0] for one, other in zip(told, told[1:]))
+
+
+@contextmanager
+def interrupted():
+    """An interrupt half a second from now, that has to end what is done meanwhile."""
     # Whoever starts the tests in the background has them ignore interrupts.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
@@ -229,10 +238,31 @@ def test_an_interrupt_ends_long_work():
     began = time.monotonic()
     try:
         with pytest.raises(KeyboardInterrupt):
-            ly.map(endless, "environment.wall.stiffness=500..9000:300", "device.mass=0.1..0.4:300", stabilizers="popc")
+            yield
     finally:
         signal.signal(signal.SIGINT, before)
     assert time.monotonic() - began < 30.0
+
+
+def test_an_interrupt_ends_long_work():
+    endless = {**ly.Scene(WALL).to_dict(), "duration": 1e6}
+    with interrupted():
+        ly.map(endless, "environment.wall.stiffness=500..9000:300", "device.mass=0.1..0.4:300", stabilizers="popc")
+
+
+def test_an_interrupt_ends_closed_loops():
+    with interrupted():
+        ly.closed_loop(10**12, 1e-3, mass=np.linspace(1.0, 2.0, 100), wall_stiffness=1.0)
+    with interrupted():
+        ly.closed_loop(10**9, 1e-3, mass=np.linspace(1.0, 2.0, 10**5), wall_stiffness=1.0, stabilizer=ly.Stabilizer("tank", start=1.0))
+
+
+def test_an_explanation_does_not_go_on_after_an_interrupt():
+    with interrupted():
+        ly.explain({**ly.Scene(WALL).to_dict(), "duration": 1e6})
+    used = time.process_time()
+    time.sleep(1.0)
+    assert time.process_time() - used < 0.3
 
 
 def test_what_progress_raises_ends_the_work():

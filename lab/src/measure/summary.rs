@@ -88,17 +88,22 @@ impl Summary {
         }
     }
 
-    /// The summary of all ticks of a `rollout` of a `scene`, under whatever stabilizes that.
-    pub fn of<V: Space>(scene: &Scene, rollout: Rollout<V>) -> Self {
-        let stabilizing = rollout.stabilizing;
-        let stabilizer = match stabilizing {
-            Stabilizing::Table(table) => table,
+    /// A summary without ticks, of a `rollout` of a `scene`, under whatever stabilizes that.
+    pub fn under<V: Space>(scene: &Scene, rollout: &Rollout<V>) -> Self {
+        let stabilizing = rollout.stabilizing.clone();
+        let stabilizer = match &stabilizing {
+            Stabilizing::Table(table) => *table,
             Stabilizing::Foreign(_) => None,
         };
         // What ran is told, and not what the scene names.
         let told = Draft { stabilizer, ..scene.to_draft() }.check();
         let told = told.unwrap_or_else(|_| scene.clone());
-        let mut summary = Self { stabilizing, scene: told, ..Self::new(scene) };
+        Self { stabilizing, scene: told, ..Self::new(scene) }
+    }
+
+    /// The summary of all ticks of a `rollout` of a `scene`, under whatever stabilizes that.
+    pub fn of<V: Space>(scene: &Scene, rollout: Rollout<V>) -> Self {
+        let mut summary = Self::under(scene, &rollout);
         rollout.for_each(|tick| summary.add(&tick));
         summary
     }

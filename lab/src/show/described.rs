@@ -13,7 +13,7 @@ pub(crate) fn environment(scene: &Scene) -> String {
 }
 
 /// The line of a summary that tells the stabilizer and its numbers.
-pub(crate) fn stabilizer(scene: &Scene, stabilizing: Stabilizing) -> String {
+pub(crate) fn stabilizer(scene: &Scene, stabilizing: &Stabilizing) -> String {
     if let Stabilizing::Foreign(name) = stabilizing {
         return format!("  stabilizer   {name}, which is the program's own");
     }

@@ -11,6 +11,7 @@ use crate::text::{folded, found, given, listed};
 
 use crate::measure::summary::MILLI;
 use crate::measure::{Oddity, Summary, Verdict, Yardstick};
+use crate::simulate::Stabilizing;
 
 #[derive(Serialize)]
 struct Document<'a, A: Serialize> {
@@ -25,7 +26,7 @@ struct Document<'a, A: Serialize> {
     peak_force_environment_n: f64,
     peak_force_acting_n: f64,
     energy_into_port_mj: f64,
-    stabilizer: Option<Observed>,
+    stabilizer: Option<Observed<'a>>,
     look_at: Vec<Oddity>,
     /// What the file of the rows says about itself.
     file: RowFile,
@@ -53,7 +54,10 @@ impl Place {
 
 /// Observed energies and corrections of a stabilizer.
 #[derive(Serialize)]
-struct Observed {
+struct Observed<'a> {
+    /// The name of a stabilizer of the caller's, whose table no scene has.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    own: Option<&'a str>,
     observed_energy_least_mj: f64,
     observed_energy_most_mj: f64,
     observed_energy_end_mj: f64,
@@ -103,8 +107,13 @@ impl Summary {
         serde_json::to_string_pretty(&document).map(|text| text + "\n")
     }
 
-    fn stabilizer(&self) -> Observed {
+    fn stabilizer(&self) -> Observed<'_> {
+        let own = match &self.stabilizing {
+            Stabilizing::Foreign(name) => Some(&**name),
+            Stabilizing::Table(_) => None,
+        };
         Observed {
+            own,
             observed_energy_least_mj: MILLI * self.observed_energy_least,
             observed_energy_most_mj: MILLI * self.observed_energy_most,
             observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
@@ -178,7 +187,7 @@ impl Summary {
             write!(f, "\n  environment  {}: {environment}", scene.environment.name())?;
         }
         write_list("operator", &described::operator(scene), f)?;
-        write!(f, "\n{}", described::stabilizer(scene, self.stabilizing))?;
+        write!(f, "\n{}", described::stabilizer(scene, &self.stabilizing))?;
         if let Some(sentence) = described::exceeded_cap(scene) {
             write!(f, "\n  cap          {sentence}")?;
         }

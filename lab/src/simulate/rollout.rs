@@ -45,6 +45,15 @@ impl<V: Space> Rollout<V> {
         Ok(Self { stabilizing: Stabilizing::foreign::<S>(), ..Self::assemble(scene, fitted)? })
     }
 
+    /// The same loop, whose summary calls a stabilizer of the caller's by this name and not by that of its type.
+    #[must_use]
+    pub fn called(mut self, name: String) -> Self {
+        if let Stabilizing::Foreign(known) = &mut self.stabilizing {
+            *known = name.into();
+        }
+        self
+    }
+
     /// The loop of `scene` under `member` of the family, whatever `scene` names.
     ///
     /// # Errors

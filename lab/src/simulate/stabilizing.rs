@@ -1,16 +1,17 @@
 //! What stabilizes a run, for what is told of it.
 
 use std::any::type_name;
+use std::borrow::Cow;
 
 use crate::files::scene::Stabilizer;
 
 /// What stabilizes a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Stabilizing {
     /// What a table says; none without one.
     Table(Option<Stabilizer>),
-    /// A value of the caller's, of the type with this name.
-    Foreign(&'static str),
+    /// A value of the caller's, by the name of its type, or another that the caller gave it.
+    Foreign(Cow<'static, str>),
 }
 
 impl Stabilizing {
@@ -18,11 +19,11 @@ impl Stabilizing {
     pub(crate) fn foreign<S>() -> Self {
         let path = type_name::<S>();
         let name = path.split('<').next().unwrap_or(path);
-        Self::Foreign(name.rsplit("::").next().unwrap_or(name))
+        Self::Foreign(name.rsplit("::").next().unwrap_or(name).into())
     }
 
     /// Whether there is a stabilizer.
-    pub(crate) fn is_there(self) -> bool {
-        self != Self::Table(None)
+    pub(crate) fn is_there(&self) -> bool {
+        *self != Self::Table(None)
     }
 }

@@ -8,6 +8,9 @@ spreads maps over machines.
 Power effort · velocity > 0 flows into the environment: an effort resists the motion, `m x'' = ... - effort`. All units are SI.
 """
 
+# First, so that an interrupt of a call never meets it half loaded.
+import numpy as _numpy  # noqa: F401
+
 from lyapunov._lyapunov import (
     Batch,
     Correction,

@@ -48,7 +48,7 @@ class Sample:
     def axes(self) -> int: ...
     @property
     def period(self) -> float:
-        """s."""
+        """s: since the last accepted reading, or this tick's where this one was not accepted."""
     @property
     def position(self) -> Any:
         """m: float, or array of shape (axes,)."""
@@ -63,7 +63,7 @@ class Sample:
         """N: float, or array of shape (axes,)."""
     @property
     def work(self) -> Any:
-        """J on each axis: float, or array of shape (axes,)."""
+        """J on each axis: float, or array of shape (axes,); of several efforts the least, NaN where not accepted."""
     @property
     def accepted(self) -> bool: ...
     @property
@@ -71,6 +71,8 @@ class Sample:
     @property
     def late(self) -> bool: ...
     def __eq__(self, other: object, /) -> bool: ...
+    def __copy__(self) -> Sample: ...
+    def __deepcopy__(self, memo: object, /) -> Sample: ...
 
 @final
 class Correction:
@@ -103,6 +105,8 @@ class Correction:
     @property
     def accepted(self) -> bool: ...
     def __eq__(self, other: object, /) -> bool: ...
+    def __copy__(self) -> Correction: ...
+    def __deepcopy__(self, memo: object, /) -> Correction: ...
 
 class _Candidate(Protocol):
     def decrease(self, sample: Sample) -> float: ...
@@ -206,6 +210,8 @@ class Observer:
     @property
     def observed_energy(self) -> float:
         """J."""
+    def __copy__(self) -> Observer: ...
+    def __deepcopy__(self, memo: object, /) -> Observer: ...
 
 def damping_limit(mass: float, period: float, *, cap: float = 0.5, delay: int = 0) -> float:
     """The largest damping that a stabilizer may inject, N·s/m: `cap · mass / period`, less with a delay in ticks."""
@@ -241,6 +247,8 @@ class Batch:
     def loops(self) -> int: ...
     def stabilize(self, position: _Vector, applied: _Vector, effort: _Vector) -> Corrections:
         """The corrections of all loops: arrays (loops,) or (loops, axes), or with a first axis of time; m, N and N."""
+    def __copy__(self) -> Batch: ...
+    def __deepcopy__(self, memo: object, /) -> Batch: ...
 
 def replay(
     readings: Readings, stabilizer: Stabilizer, position: _Vector, applied: _Vector, effort: _Vector
@@ -261,7 +269,10 @@ def closed_loop(
     wall_position: float | _Vector | None = None,
     stabilizer: Stabilizer | None = None,
 ) -> dict[str, _Vector]:
-    """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name."""
+    """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name.
+
+    `largest` is the largest |position| from half of the ticks on to the end, both counted.
+    """
 
 @final
 class Scene:

@@ -7,7 +7,7 @@ import json
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union
 
-from lyapunov._lyapunov import Scene
+from lyapunov._lyapunov import InputError, Scene
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -60,6 +60,7 @@ class Table:
         body = "".join(f"<tr>{''.join(_cell(column[row]) for _, column in columns)}</tr>" for row in shown)
         more = f"<p>{rows - ROWS_SHOWN} more rows</p>" if rows > ROWS_SHOWN else ""
         return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
+
 
 class Result(Table):
     """What a study tells."""
@@ -146,12 +147,15 @@ class Comparison(Result):
     """Stabilizers on scenes. The table has a row for each stabilizer on each scene, with the columns of docs/compare.md."""
 
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, column: str = "settling_time_s") -> matplotlib.axes.Axes:
-        """Draws a column as bars, one for each stabilizer on each scene."""
+        """Draws a column of numbers as bars, one for each stabilizer on each scene."""
+        of_numbers = [name for name, it in self.table.items() if not isinstance(it, list)]
+        if column not in of_numbers:
+            raise InputError(f"no column of numbers is called `{column}`\n  = they are: {', '.join(of_numbers)}")
         ax = _axes(ax)
-        rows = self.document["rows"]
-        scenes = {row["scene"] for row in rows}
-        names = [row["stabilizer"] if len(scenes) == 1 else f"{row['scene']}: {row['stabilizer']}" for row in rows]
-        ax.barh(names, [float("nan") if row[column] is None else row[column] for row in rows])
+        scenes, names = self.table["scene"], self.table["stabilizer"]
+        if len(set(scenes)) > 1:
+            names = [f"{scene}: {name}" for scene, name in zip(scenes, names)]
+        ax.barh(range(len(names)), self.table[column], tick_label=list(names))
         ax.invert_yaxis()
         ax.set_xlabel(column)
         return ax
@@ -162,9 +166,11 @@ class Map(Result):
 
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, stabilizer: str | None = None) -> matplotlib.axes.Axes:
         """Draws the verdicts under a stabilizer, the first by default: over two numbers as a field, over one as points."""
-        ax = _axes(ax)
         names = self.table["stabilizer"]
         stabilizer = names[0] if stabilizer is None else stabilizer
+        if stabilizer not in names:
+            raise InputError(f"`{stabilizer}` is not in this map\n  = the names are: {', '.join(dict.fromkeys(names))}")
+        ax = _axes(ax)
         chosen = [at for at, name in enumerate(names) if name == stabilizer]
         verdicts = [self.table["verdict"][at] for at in chosen]
         keys = list(self.table)[: list(self.table).index("stabilizer")]
@@ -174,7 +180,8 @@ class Map(Result):
             across = self.table[x][at]  # type: ignore[call-overload]
             up = [verdict] * len(at) if y is None else self.table[y][at]  # type: ignore[call-overload]
             ax.scatter(across, up, marker="s", s=9, label=verdict)
-        ax.set(xlabel=x, ylabel="verdict" if y is None else y, title=stabilizer)
+        # The table of a sweep calls what it sweeps `value`.
+        ax.set(xlabel=self.document["x"]["key"], ylabel="verdict" if y is None else y, title=stabilizer)
         ax.legend()
         return ax
 
@@ -238,11 +245,12 @@ class Ensemble(Table):
         return f"<pre>{html.escape(str(self))}</pre>{self._rows_in_html()}"
 
     def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
-        """Draws how many members have settled over time, s."""
-        import numpy
-
+        """Draws the share of members that have settled over time, s."""
         ax = _axes(ax)
-        times = numpy.sort(self.table["settling_time_s"])
-        ax.step(times, numpy.arange(1, len(times) + 1) / len(times), where="post")
+        verdicts = self.table["verdict"]
+        # One that swings or grows may be within its band at the end all the same.
+        times = sorted(time for time, verdict in zip(self.table["settling_time_s"], verdicts) if verdict == "settles")
+        shares = [count / len(verdicts) for count in range(len(times) + 1)]
+        ax.step([0.0, *times], shares, where="post")
         ax.set(xlabel="time, s", ylabel="share that has settled", ylim=(0, 1))
         return ax

@@ -6,6 +6,8 @@ use numpy::{
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
+use crate::axes::misaligned;
+
 /// An array of float64 in the order of C, with its name in messages.
 pub(super) struct Given<'py> {
     array: PyReadonlyArrayDyn<'py, f64>,
@@ -28,6 +30,9 @@ impl<'py> Given<'py> {
             return Err(PyValueError::new_err(format!(
                 "{name} is not contiguous, and is not copied here; give numpy.ascontiguousarray({name})"
             )));
+        }
+        if !array.is_aligned() {
+            return Err(misaligned(name));
         }
         let array = array.try_readonly().map_err(|_| {
             PyValueError::new_err(format!("{name} is an array that another call writes to now"))

@@ -11,11 +11,13 @@ use pyo3::types::PyDict;
 use super::arrays::{Given, array};
 use crate::blocks::{Recipe, Stabilizer};
 use crate::errors;
-use crate::lab::pool;
+use crate::lab::{Fault, wait_here};
+use crate::whole;
 
 /// Simulates closed loops: a mass with damping on a hand's spring, moved exactly, against a one-sided wall that is sampled and
 /// held, with a stabilizer at the servo's rate. Returns float64 arrays of shape (loops,) by name: `position`, m, and
-/// `velocity`, m/s, at the end, `observed_energy`, J, and `largest`, the largest |position| in the second half, m.
+/// `velocity`, m/s, at the end, `observed_energy`, J, and `largest`, the largest |position| from
+/// half of the ticks on to the end, both counted, m.
 ///
 /// `mass`, kg, `damping`, N·s/m, and `stiffness`, N/m, of hand and device together, the hand resting at 0; `position`, m, and
 /// `velocity`, m/s, at the start; `wall_stiffness`, N/m, `wall_damping`, N·s/m, and `wall_position`, m: each a float, or a
@@ -27,7 +29,7 @@ use crate::lab::pool;
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn closed_loop<'py>(
     py: Python<'py>,
-    ticks: u64,
+    #[pyo3(from_py_with = whole::ticks)] ticks: u64,
     period: f64,
     mass: &Bound<'py, PyAny>,
     wall_stiffness: &Bound<'py, PyAny>,
@@ -64,8 +66,10 @@ pub(crate) fn closed_loop<'py>(
         wall_damping: wall_damping?,
         wall_position: wall_position?,
     };
-    let pool = pool()?;
-    let ends = py.detach(|| pool.install(|| loops.ends(&recipe))).map_err(errors::parameter)?;
+    let ends = wait_here(py, |watched| {
+        let ends = loops.ends(&recipe, &|| watched.go_on().is_continue());
+        ends.map_err(errors::parameter)?.ok_or(Fault::Stopped)
+    })?;
     let results = PyDict::new(py);
     let named = [
         ("position", ends.position),

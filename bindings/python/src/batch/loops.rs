@@ -4,6 +4,7 @@ use lyapunov::stabilizers::Member;
 use lyapunov::{Dissipation, PortEnergy, Reading, Readings as Memory, Scalar, Stabilizer as _};
 use lyapunov_lab::F64x8;
 use nalgebra::SVector;
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
@@ -14,6 +15,7 @@ use crate::axes::no_block_of;
 use crate::blocks::{Recipe, Stabilizer};
 use crate::errors;
 use crate::lab::pool;
+use crate::whole;
 
 /// Groups of loops that a thread takes at once.
 const SHARE: usize = 16;
@@ -29,7 +31,7 @@ struct Group<V: Lanes> {
 }
 
 /// Groups of loops, whatever their axes.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum AnyGroups {
     One(Vec<Group<F64x8>>),
     Two(Vec<Group<SVector<F64x8, 2>>>),
@@ -42,8 +44,8 @@ enum AnyGroups {
 ///
 /// `Batch(stabilizer, loops, period, *, no_faster_than=None)`: as many fresh copies of `stabilizer`, which is left as it is,
 /// and readings every `period` seconds. A candidate written in Python cannot be one of them.
-#[pyclass(module = "lyapunov")]
-#[derive(Debug)]
+#[pyclass(module = "lyapunov", skip_from_py_object)]
+#[derive(Clone, Debug)]
 pub(crate) struct Batch {
     groups: AnyGroups,
     loops: usize,
@@ -62,7 +64,14 @@ fn groups<V: Lanes>(
     };
     let damper = || Ok((PortEnergy, Dissipation::of(F64x8::of(recipe.damping.unwrap_or(0.0)))?));
     let member = recipe.make(damper).map_err(errors::parameter)?;
-    Ok(vec![Group { readings, member }; loops.div_ceil(LANES)])
+    let (mut groups, count) = (Vec::new(), loops.div_ceil(LANES));
+    groups.try_reserve_exact(count).map_err(|_| {
+        PyMemoryError::new_err(format!(
+            "loops is {loops}, for which there is no memory; give fewer, in several batches"
+        ))
+    })?;
+    groups.resize(count, Group { readings, member });
+    Ok(groups)
 }
 
 #[pymethods]
@@ -71,7 +80,7 @@ impl Batch {
     #[pyo3(signature = (stabilizer, loops, period, *, no_faster_than=None))]
     fn new(
         stabilizer: &Stabilizer,
-        loops: usize,
+        #[pyo3(from_py_with = whole::loops)] loops: usize,
         period: f64,
         no_faster_than: Option<f64>,
     ) -> PyResult<Self> {
@@ -131,6 +140,15 @@ impl Batch {
             AnyGroups::Six(groups) => stabilized(py, groups, loops, &given),
             AnyGroups::Seven(groups) => stabilized(py, groups, loops, &given),
         }
+    }
+
+    /// A copy with the same memory.
+    fn __copy__(&self) -> Self {
+        self.clone()
+    }
+
+    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+        self.clone()
     }
 
     fn __repr__(&self) -> String {

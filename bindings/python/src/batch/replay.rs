@@ -66,7 +66,8 @@ fn replayed<V: Axes>(
             for tick in 0..shape[0] {
                 let at = |numbers: &[f64]| V::from_axes(|axis| numbers[tick * V::COUNT + axis]);
                 let [position, applied, effort] = numbers.map(at);
-                let told: Correction<V> = stabilize(&memory.read_plain(position, applied)?, effort);
+                let told: Correction<V> =
+                    stabilize(&memory.read_plain(position, applied)?, effort)?;
                 for axis in 0..V::COUNT {
                     written.effort[tick * V::COUNT + axis] = told.effort.along(axis);
                 }
@@ -75,8 +76,8 @@ fn replayed<V: Axes>(
                 written.shortfall[tick] = told.shortfall;
                 written.accepted[tick] = told.accepted;
             }
-            Ok::<_, PyErr>(written)
+            Ok(written)
         })
-    })??;
+    })?;
     written.shown(py, &shape, V::COUNT)
 }

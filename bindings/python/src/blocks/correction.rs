@@ -2,9 +2,12 @@
 
 use lyapunov::Correction as Corrected;
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use super::sample::shown;
+use super::stored;
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::whole;
 
 on_any_axes! {
     /// A correction, whatever its axes.
@@ -30,7 +33,7 @@ impl Correction {
         alpha: f64,
         shortfall: f64,
         accepted: bool,
-        axes: usize,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
     ) -> PyResult<Self> {
         with_axes!(axes, AnyCorrection, V => Corrected {
             effort: V::read(effort, "effort")?,
@@ -78,14 +81,36 @@ impl Correction {
         whatever_axes!(&self.0, AnyCorrection, it => it.accepted)
     }
 
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        // It never changes.
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let (py, it) = (slf.py(), slf.get());
+        let bytes = whatever_axes!(&it.0, AnyCorrection, it => stored::write(it)?);
+        let again = slf.get_type().getattr("_restored")?;
+        (again, (it.axes(), PyBytes::new(py, &bytes))).into_pyobject(py).map(Bound::into_any)
+    }
+
+    #[staticmethod]
+    fn _restored(axes: usize, bytes: &[u8]) -> PyResult<Self> {
+        with_axes!(axes, AnyCorrection, V => stored::read::<Corrected<V>>(bytes)?).map(Self)
+    }
+
     fn __repr__(&self) -> String {
         whatever_axes!(&self.0, AnyCorrection, it => format!(
-            "Correction(effort={:?}, observed_energy={:?}, alpha={:?}, shortfall={:?}, accepted={})",
+            "Correction(effort={}, observed_energy={:?}, alpha={:?}, shortfall={:?}, accepted={}{})",
             shown(&it.effort),
             it.observed_energy,
             it.alpha,
             it.shortfall,
             if it.accepted { "True" } else { "False" },
+            if self.axes() > 1 { format!(", axes={}", self.axes()) } else { String::new() },
         ))
     }
 }

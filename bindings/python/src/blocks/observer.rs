@@ -1,11 +1,12 @@
 //! Observer of a candidate.
 
-use lyapunov::Observer as Observing;
+use lyapunov::{Observer as Observing, Snapshot};
 use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
 
-use super::{Candidate, Raised, Recipe, Sample};
+use super::{AnySample, Candidate, Raised, Recipe, Sample, copied, stored};
 use crate::axes::{Axes, whatever_axes};
-use crate::blocks::AnySample;
+use crate::errors;
 
 type Inner = Observing<Candidate, lyapunov::Held, lyapunov::accumulators::Plain<f64>>;
 
@@ -19,16 +20,17 @@ pub(crate) struct Observer {
     observer: Inner,
     energy: f64,
     raised: Raised,
+    /// The damping and the object that it was made with.
+    damping: Option<f64>,
+    object: Option<Py<PyAny>>,
 }
 
 #[pymethods]
 impl Observer {
     #[new]
     #[pyo3(signature = (*, damping=None, candidate=None))]
-    fn new(damping: Option<f64>, candidate: Option<Py<PyAny>>) -> PyResult<Self> {
-        let raised = Raised::default();
-        let candidate = Recipe::candidate(damping, candidate, &raised)?;
-        Ok(Self { observer: Observing::of(candidate), energy: 0.0, raised })
+    fn new(py: Python<'_>, damping: Option<f64>, candidate: Option<Py<PyAny>>) -> PyResult<Self> {
+        Self::of(py, damping, candidate)
     }
 
     /// Books the candidate's decrease over the sample; returns the observed energy, J.
@@ -45,8 +47,71 @@ impl Observer {
         self.energy
     }
 
+    /// A copy with the same memory.
+    fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
+        let object = self.object.as_ref().map(|object| object.clone_ref(py));
+        Self::of(py, self.damping, object)?.remembering(self.energy, &self.memory()?)
+    }
+
+    /// A copy with a copy of its candidate, which may hold the observer.
+    fn __deepcopy__<'py>(
+        slf: &Bound<'py, Self>,
+        memo: &Bound<'py, PyDict>,
+    ) -> PyResult<Bound<'py, Self>> {
+        let py = slf.py();
+        let copy = Bound::new(py, slf.try_borrow()?.__copy__(py)?)?;
+        memo.set_item(slf.as_ptr() as usize, &copy)?;
+        let this = slf.try_borrow()?;
+        if let Some(shared) = &this.object {
+            let own = copied(shared.bind(py), memo)?;
+            let made = Self::of(py, this.damping, Some(own))?;
+            *copy.try_borrow_mut()? = made.remembering(this.energy, &this.memory()?)?;
+        }
+        Ok(copy)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let (py, this) = (slf.py(), slf.try_borrow()?);
+        let memory = PyBytes::new(py, &this.memory()?);
+        let again = slf.get_type().getattr("_restored")?;
+        let object = this.object.as_ref().map(|object| object.clone_ref(py));
+        let parts = (this.damping, object, this.energy, memory);
+        (again, parts).into_pyobject(py).map(Bound::into_any)
+    }
+
+    #[staticmethod]
+    fn _restored(
+        py: Python<'_>,
+        damping: Option<f64>,
+        candidate: Option<Py<PyAny>>,
+        energy: f64,
+        memory: &[u8],
+    ) -> PyResult<Self> {
+        Self::of(py, damping, candidate)?.remembering(energy, memory)
+    }
+
     fn __repr__(&self) -> String {
         format!("Observer(observed_energy={:?})", self.energy)
+    }
+}
+
+impl Observer {
+    fn of(py: Python<'_>, damping: Option<f64>, object: Option<Py<PyAny>>) -> PyResult<Self> {
+        let raised = Raised::default();
+        let asked = object.as_ref().map(|object| object.clone_ref(py));
+        let candidate = Recipe::candidate(damping, asked, &raised)?;
+        Ok(Self { observer: Observing::of(candidate), energy: 0.0, raised, damping, object })
+    }
+
+    /// The memory as bytes that keep every bit.
+    fn memory(&self) -> PyResult<Vec<u8>> {
+        stored::write(&self.observer.state())
+    }
+
+    /// The same with the memory of another one.
+    fn remembering(self, energy: f64, memory: &[u8]) -> PyResult<Self> {
+        let observer = self.observer.restored(stored::read(memory)?).map_err(errors::parameter)?;
+        Ok(Self { observer, energy, ..self })
     }
 }
 

@@ -5,9 +5,10 @@ use lyapunov::{CheckedSample, MovingReading, PortSample, Reading, Readings as Me
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::Sample;
+use super::{Sample, stored};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
+use crate::whole;
 
 /// The readings with each estimator of the velocity, with and without a clock.
 #[derive(Clone, Copy, Debug)]
@@ -96,7 +97,7 @@ impl Readings {
     #[pyo3(signature = (period, *, axes=1, no_faster_than=None, cutoff=None, measured=false, clocked=false))]
     fn new(
         period: f64,
-        axes: usize,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
         no_faster_than: Option<f64>,
         cutoff: Option<f64>,
         measured: bool,
@@ -149,7 +150,7 @@ impl Readings {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let (py, this) = (slf.py(), slf.borrow());
+        let (py, this) = (slf.py(), slf.try_borrow()?);
         let Made { period, fastest, cutoff, measured, clocked } = this.made;
         let memory = PyBytes::new(py, &this.memory()?);
         let again = slf.get_type().getattr("_restored")?;
@@ -176,12 +177,9 @@ impl Readings {
 
 impl Readings {
     fn memory(&self) -> PyResult<Vec<u8>> {
-        let mut bytes = Vec::new();
-        whatever_axes!(&self.readings, AnyReadings, it => whatever_kind!(it, it => {
-            ciborium::into_writer(&it.state(), &mut bytes)
-        }))
-        .map_err(errors::internal)?;
-        Ok(bytes)
+        whatever_axes!(&self.readings, AnyReadings, it => {
+            whatever_kind!(it, it => stored::write(&it.state()))
+        })
     }
 }
 
@@ -203,8 +201,7 @@ fn restored<V: Axes>(kinds: Kinds<V>, memory: &[u8]) -> PyResult<Kinds<V>> {
         ($($kind:ident),+) => {
             match kinds {
                 $(Kinds::$kind(fresh) => {
-                    let state = ciborium::from_reader(memory)
-                        .map_err(|error| errors::input(format!("the memory is damaged: {error}")))?;
+                    let state = stored::read(memory)?;
                     Kinds::$kind(fresh.restored(state).map_err(errors::parameter)?)
                 })+
             }
@@ -221,6 +218,19 @@ fn sample<V: Axes>(
     velocity: Option<&Bound<'_, PyAny>>,
     now: Option<f64>,
 ) -> PyResult<Sample> {
+    if velocity.is_some() && !matches!(kinds, Kinds::Measured(_) | Kinds::MeasuredAt(_)) {
+        return Err(errors::input(
+            "a velocity is given, which these readings estimate themselves\n  = leave velocity out, or make them with \
+             measured=True",
+        ));
+    }
+    if now.is_some()
+        && matches!(kinds, Kinds::Differenced(_) | Kinds::LowPassed(_) | Kinds::Measured(_))
+    {
+        return Err(errors::input(
+            "a time is given, and these readings have no clock\n  = leave now out, or make them with clocked=True",
+        ));
+    }
     // A position that is not finite is no reading.
     let position = match position.is_none() {
         true => V::from_axes(|_| f64::NAN),

@@ -2,8 +2,11 @@
 
 use lyapunov::{CheckedSample, HeldTick, PortSample};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
+use super::stored;
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::whole;
 
 on_any_axes! {
     /// A sample, whatever its axes.
@@ -48,7 +51,7 @@ impl Sample {
         velocity: &Bound<'_, PyAny>,
         displacement: &Bound<'_, PyAny>,
         applied: &Bound<'_, PyAny>,
-        axes: usize,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
     ) -> PyResult<Self> {
         let signals = [position, velocity, displacement, applied];
         with_axes!(axes, AnySample, V => by_hand::<V>(period, signals)?).map(Self)
@@ -60,7 +63,7 @@ impl Sample {
         self.0.axes()
     }
 
-    /// Time since the last accepted reading, s.
+    /// Time since the last accepted reading, s; that of this tick where this reading was not accepted.
     #[getter]
     fn period(&self) -> f64 {
         whatever_axes!(&self.0, AnySample, it => it.sample.period)
@@ -84,13 +87,14 @@ impl Sample {
         whatever_axes!(&self.0, AnySample, it => it.sample.displacement.show(py))
     }
 
-    /// Effort that acted since then, N.
+    /// Effort that acted until this reading, N.
     #[getter]
     fn applied<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
         whatever_axes!(&self.0, AnySample, it => it.sample.applied.show(py))
     }
 
-    /// Work of that effort on each axis, J; NaN of a reading that was not accepted.
+    /// Work on each axis, J: `applied · displacement`, and of several efforts since the last accepted reading the least that
+    /// one of them would have done over the motion since then; NaN of a reading that was not accepted.
     #[getter]
     fn work<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
         whatever_axes!(&self.0, AnySample, it => it.sample.work.show(py))
@@ -108,15 +112,36 @@ impl Sample {
         whatever_axes!(&self.0, AnySample, it => it.jumped)
     }
 
-    /// Whether the sample spans more than a period.
+    /// Whether more than one and a half periods went by since the last accepted reading.
     #[getter]
     fn late(&self) -> bool {
         whatever_axes!(&self.0, AnySample, it => it.late)
     }
 
+    fn __copy__(slf: Py<Self>) -> Py<Self> {
+        // It never changes.
+        slf
+    }
+
+    fn __deepcopy__(slf: Py<Self>, _memo: &Bound<'_, PyAny>) -> Py<Self> {
+        slf
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let (py, it) = (slf.py(), slf.get());
+        let bytes = whatever_axes!(&it.0, AnySample, it => stored::write(it)?);
+        let again = slf.get_type().getattr("_restored")?;
+        (again, (it.axes(), PyBytes::new(py, &bytes))).into_pyobject(py).map(Bound::into_any)
+    }
+
+    #[staticmethod]
+    fn _restored(axes: usize, bytes: &[u8]) -> PyResult<Self> {
+        with_axes!(axes, AnySample, V => stored::read::<CheckedSample<V>>(bytes)?).map(Self)
+    }
+
     fn __repr__(&self) -> String {
         whatever_axes!(&self.0, AnySample, it => format!(
-            "Sample(axes={}, period={:?}, position={:?}, velocity={:?}, accepted={})",
+            "Sample(axes={}, period={:?}, position={}, velocity={}, accepted={})",
             self.axes(),
             it.sample.period,
             shown(&it.sample.position),
@@ -126,7 +151,11 @@ impl Sample {
     }
 }
 
-/// The numbers along all axes.
-pub(super) fn shown<V: Axes>(signal: &V) -> Vec<f64> {
-    (0..V::COUNT).map(|axis| signal.along(axis)).collect()
+/// A signal as it is given: a number, or a list.
+pub(super) fn shown<V: Axes>(signal: &V) -> String {
+    let numbers: Vec<f64> = (0..V::COUNT).map(|axis| signal.along(axis)).collect();
+    match numbers[..] {
+        [number] => format!("{number:?}"),
+        _ => format!("{numbers:?}"),
+    }
 }

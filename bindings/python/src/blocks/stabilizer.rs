@@ -5,12 +5,17 @@ use lyapunov::{Signal, Snapshot, Stabilizer as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use super::{Candidate, Correction, Raised, Recipe, Sample};
+use super::{Candidate, Correction, Raised, Recipe, Sample, copied, stored};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
+use crate::whole;
 
 /// Member of the family with any candidate.
 type Made<V> = Member<V, Candidate>;
+
+/// What makes a correction of a sample and an effort.
+type Stabilize<'a, V> =
+    dyn FnMut(&lyapunov::PortSample<V>, V) -> PyResult<lyapunov::Correction<V>> + 'a;
 
 on_any_axes! {
     /// A stabilizer, whatever its axes.
@@ -49,12 +54,17 @@ impl Stabilizer {
     /// Runs `stabilize` of the member over samples of `V`, those of a recorded log.
     pub(crate) fn with_member<V: Axes, R>(
         &mut self,
-        run: impl FnOnce(&mut dyn FnMut(&lyapunov::PortSample<V>, V) -> lyapunov::Correction<V>) -> R,
+        run: impl FnOnce(&mut Stabilize<'_, V>) -> PyResult<R>,
     ) -> PyResult<R> {
         let member = V::member(&mut self.member)?;
-        let result = run(&mut |sample, effort| member.stabilize(sample, effort));
-        self.raised.check()?;
-        Ok(result)
+        let (asks_python, raised) = (self.recipe.object.is_some(), &self.raised);
+        run(&mut |sample, effort| {
+            let corrected = member.stabilize(sample, effort);
+            if asks_python {
+                raised.check()?;
+            }
+            Ok(corrected)
+        })
     }
 }
 
@@ -77,7 +87,11 @@ fn made<V: Signal<Scalar = f64>>(recipe: &Recipe, raised: &Raised) -> PyResult<M
 impl Stabilizer {
     #[new]
     #[pyo3(signature = (name, *, axes=1, **numbers))]
-    fn new(name: &str, axes: usize, numbers: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+    fn new(
+        name: &str,
+        #[pyo3(from_py_with = whole::axes)] axes: usize,
+        numbers: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
         Self::of(Recipe::of(name, numbers)?, axes)
     }
 
@@ -119,12 +133,23 @@ impl Stabilizer {
         Ok(copy)
     }
 
-    fn __deepcopy__(&self, py: Python<'_>, _memo: &Bound<'_, PyAny>) -> PyResult<Self> {
-        self.__copy__(py)
+    /// A copy with a copy of its candidate, which may hold the stabilizer.
+    fn __deepcopy__<'py>(
+        slf: &Bound<'py, Self>,
+        memo: &Bound<'py, PyDict>,
+    ) -> PyResult<Bound<'py, Self>> {
+        let py = slf.py();
+        let copy = Bound::new(py, slf.try_borrow()?.__copy__(py)?)?;
+        memo.set_item(slf.as_ptr() as usize, &copy)?;
+        let shared = slf.try_borrow()?.recipe.object.as_ref().map(|it| it.clone_ref(py));
+        if let Some(own) = shared.map(|it| copied(it.bind(py), memo)).transpose()? {
+            copy.try_borrow_mut()?.ask(own)?;
+        }
+        Ok(copy)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let (py, this) = (slf.py(), slf.borrow());
+        let (py, this) = (slf.py(), slf.try_borrow()?);
         let arguments = this.recipe.arguments(py)?;
         let memory = PyBytes::new(py, &this.memory()?);
         let again = slf.get_type().getattr("_restored")?;
@@ -154,12 +179,15 @@ impl Stabilizer {
 }
 
 impl Stabilizer {
+    /// Takes another candidate in Python in place of the one that it has.
+    fn ask(&mut self, object: Py<PyAny>) -> PyResult<()> {
+        self.recipe.object = Some(object);
+        self.remember(&self.memory()?)
+    }
+
     /// The memory as bytes that keep every bit.
     fn memory(&self) -> PyResult<Vec<u8>> {
-        let mut bytes = Vec::new();
-        whatever_axes!(&self.member, AnyMember, it => ciborium::into_writer(&it.state(), &mut bytes))
-            .map_err(errors::internal)?;
-        Ok(bytes)
+        whatever_axes!(&self.member, AnyMember, it => stored::write(&it.state()))
     }
 
     fn remember(&mut self, memory: &[u8]) -> PyResult<()> {
@@ -173,8 +201,7 @@ impl Stabilizer {
 }
 
 fn restored<V: Axes>(member: Made<V>, memory: &[u8]) -> PyResult<Made<V>> {
-    let state: MemberState<V, Candidate> = ciborium::from_reader(memory)
-        .map_err(|error| errors::input(format!("the memory is damaged: {error}")))?;
+    let state: MemberState<V, Candidate> = stored::read(memory)?;
     member.restored(state).map_err(errors::parameter)
 }
 

@@ -8,6 +8,9 @@ use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
 
+/// The columns of words.
+const WORDS: [&str; 4] = ["propagator", "scalar", "error_is_known", "pareto"];
+
 /// Parts of all that progress is told in.
 const PARTS: u64 = 1000;
 
@@ -39,7 +42,7 @@ pub(crate) fn accuracy(
             json: study.document(target).map_err(Fault::internal)?,
             text: format!("{study}{advice}"),
             figures: vec![study.figure().to_svg()],
-            columns: Columns::of_csv(&study.csv())?,
+            columns: Columns::of_csv(&study.csv(), &WORDS)?,
             ..Told::default()
         })
     })

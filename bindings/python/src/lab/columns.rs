@@ -19,19 +19,26 @@ pub(crate) enum Column {
 pub(crate) struct Columns(pub(crate) Vec<(String, Column)>);
 
 impl Columns {
-    /// The columns of comma-separated values as a command writes them.
-    pub(crate) fn of_csv(text: &str) -> PyResult<Self> {
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(text.as_bytes());
+    /// The columns of comma-separated values as a command writes them: those called `words` hold words, all others numbers.
+    pub(crate) fn of_csv(text: &str, words: &[&str]) -> PyResult<Self> {
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
         let names: Vec<String> =
             reader.headers().map_err(errors::internal)?.iter().map(str::to_owned).collect();
-        let mut words: Vec<Vec<String>> = vec![Vec::new(); names.len()];
+        let mut fields: Vec<Vec<String>> = vec![Vec::new(); names.len()];
         for row in reader.records() {
             let row = row.map_err(errors::internal)?;
-            for (column, field) in words.iter_mut().zip(&row) {
+            for (column, field) in fields.iter_mut().zip(&row) {
                 column.push(field.to_owned());
             }
         }
-        Ok(Self(names.into_iter().zip(words.into_iter().map(Column::of)).collect()))
+        let columns = names.into_iter().zip(fields).map(|(name, fields)| {
+            let column = match words.contains(&&name[..]) {
+                true => Column::Words(fields),
+                false => Column::numbers(&name, &fields)?,
+            };
+            Ok((name, column))
+        });
+        Ok(Self(columns.collect::<PyResult<_>>()?))
     }
 
     /// A dictionary: numbers as float64 arrays, words as lists.
@@ -48,16 +55,14 @@ impl Columns {
 }
 
 impl Column {
-    /// Numbers if every field that is not empty is one, and one is there.
-    fn of(words: Vec<String>) -> Self {
-        let number = |word: &String| match &word[..] {
-            "" => Some(f64::NAN),
-            word => word.parse().ok(),
+    /// Numbers; an empty field is none.
+    fn numbers(name: &str, fields: &[String]) -> PyResult<Self> {
+        let number = |field: &String| match &field[..] {
+            "" => Ok(f64::NAN),
+            field => field.parse().map_err(|_| {
+                errors::internal(format_args!("{field:?} is no number in the column {name}"))
+            }),
         };
-        let numbers: Option<Vec<f64>> = words.iter().map(number).collect();
-        match numbers.filter(|numbers| numbers.iter().any(|it| !it.is_nan())) {
-            Some(numbers) => Self::Numbers(numbers),
-            None => Self::Words(words),
-        }
+        Ok(Self::Numbers(fields.iter().map(number).collect::<PyResult<_>>()?))
     }
 }

@@ -30,6 +30,9 @@ pub(crate) fn compare(
     by: Option<&str>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
+    if scenes.is_empty() {
+        return Err(errors::input("there is no scene\n  = give one or more"));
+    }
     let scenes: Vec<Scene> = scenes.iter().map(|scene| scene.get().clone()).collect();
     let names = match stabilizers {
         Some(names) => names.parse().map_err(errors::input)?,
@@ -38,7 +41,13 @@ pub(crate) fn compare(
     let column: Option<Column> = by.map(str::parse).transpose().map_err(errors::input)?;
     let mut entrants: Vec<Own> = Vec::new();
     for (name, make) in own.into_iter().flatten() {
-        entrants.push((name.extract()?, Arc::new(make.unbind())));
+        let name: String = name.extract()?;
+        if names.iter().any(|known| known.name() == name) {
+            return Err(errors::input(format!(
+                "`{name}` is a stabilizer of the family that takes part\n  = give your own another name"
+            )));
+        }
+        entrants.push((name, Arc::new(make.unbind())));
     }
     let each = |scene: &Scene| (scene.scene.ticks() + 1) * (names.len() + entrants.len()) as u64;
     let total = scenes.iter().map(each).sum();
@@ -56,10 +65,16 @@ pub(crate) fn compare(
             json: document(&comparisons, &[]).map_err(Fault::internal)?,
             text: text.join("\n"),
             figures: comparisons.iter().map(|one| one.figure().to_svg()).collect(),
-            columns: Columns::of_csv(&csv(&comparisons))?,
+            columns: Columns::of_csv(&csv(&comparisons), &words())?,
             ..Told::default()
         })
     })
+}
+
+/// The columns of words in a table of scores, and in front of it.
+pub(super) fn words() -> Vec<&'static str> {
+    let of_scores = Column::ALL.into_iter().filter(|column| column.is_words());
+    std::iter::once("scene").chain(of_scores.map(Column::key)).collect()
 }
 
 fn compared(

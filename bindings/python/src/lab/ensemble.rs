@@ -9,6 +9,7 @@ use super::columns::{Column, Columns};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
+use crate::whole;
 
 /// The runs of `count` members of an ensemble, from number `first` on.
 #[pyfunction]
@@ -19,8 +20,8 @@ pub(crate) fn ensemble(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     first: u64,
-    count: u64,
-    seed: u64,
+    #[pyo3(from_py_with = whole::members)] count: u64,
+    #[pyo3(from_py_with = whole::seed)] seed: u64,
     stabilizer: Option<&str>,
     phase: Option<f64>,
     mass: Option<f64>,
@@ -81,7 +82,7 @@ fn columns(first: u64, runs: &[Summary]) -> Columns {
     Columns(vec![
         ("member".to_owned(), Column::Numbers(members)),
         ("verdict".to_owned(), Column::Words(verdicts)),
-        numbers("settling_time_s", &|run| run.settled),
+        numbers("settling_time_s", &|run| run.settled.filter(|_| run.left_range().is_none())),
         numbers("peak_force_environment_n", &|run| Some(run.environment_peak)),
         numbers("peak_force_acting_n", &|run| Some(run.acting_peak)),
         numbers("energy_into_port_mj", &|run| Some(1e3 * run.absorbed)),

@@ -12,15 +12,19 @@ use super::{Scene, Told};
 #[pyfunction]
 pub(crate) fn explain(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
-    wait(py, None, 1, move |_| {
-        let explanation = in_space!(scene, Axes => Explanation::of::<Axes>(&scene));
+    wait(py, None, 1, move |watched| {
+        let watch = |_| watched.go_on();
+        let explanation = in_space!(scene, Axes => Explanation::watched::<Axes>(&scene, &watch));
+        if watched.go_on().is_break() {
+            return Err(Fault::Stopped);
+        }
         let explanation =
             explanation.map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
         Ok(Told {
             json: explanation.to_json(&name).map_err(Fault::internal)?,
             text: format!("{name}\n{explanation}"),
             figures: vec![explanation.figure(&name).to_svg()],
-            columns: Columns::of_csv(&explanation.csv())?,
+            columns: Columns::of_csv(&explanation.csv(), &["stretch", "part"])?,
             ..Told::default()
         })
     })

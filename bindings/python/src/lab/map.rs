@@ -11,9 +11,11 @@ use lyapunov_lab::scene as lab;
 use pyo3::prelude::*;
 
 use super::columns::{Column, Columns};
+use super::compare::words;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
+use crate::whole;
 
 /// Where a run settles, swings or grows over the axes `x` and `y`, each as KEY=FROM..TO:N[:log].
 #[pyfunction]
@@ -24,7 +26,7 @@ pub(crate) fn map(
     x: &str,
     y: Option<&str>,
     stabilizers: &str,
-    threads: Option<usize>,
+    #[pyo3(from_py_with = whole::threads_if_any)] threads: Option<usize>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
@@ -76,7 +78,7 @@ fn swept(
         json: sweep.document().map_err(Fault::internal)?,
         text: sweep.to_string(),
         figures: vec![sweep.verdicts().to_svg(), sweep.curves().to_svg()],
-        columns: Columns::of_csv(&sweep.csv())?,
+        columns: Columns::of_csv(&sweep.csv(), &words())?,
         ..Told::default()
     })
 }
@@ -117,6 +119,9 @@ pub(super) fn told(survey: &Survey, computation: Option<&Computation>) -> Result
     })
 }
 
+/// The columns of words in map.csv.
+const WORDS: [&str; 3] = ["stabilizer", "verdict", "verdict_by"];
+
 /// The rows of map.csv.
 #[derive(Debug, Default)]
 struct Rows {
@@ -145,8 +150,7 @@ impl Rows {
     fn columns(self, grid: &Grid) -> Columns {
         let axes = [&grid.x.key, &grid.y.key].map(String::clone);
         let places = axes.into_iter().zip(self.places.map(Column::Numbers));
-        let words = ["stabilizer", "verdict", "verdict_by"].map(str::to_owned);
-        let words = words.into_iter().zip(self.words.map(Column::Words));
+        let words = WORDS.map(str::to_owned).into_iter().zip(self.words.map(Column::Words));
         let keys = Measure::ALL.map(|measure| measure.key.to_owned());
         let measures = keys.into_iter().zip(self.measures.into_iter().map(Column::Numbers));
         Columns(places.chain(words).chain(measures).collect())
@@ -156,5 +160,10 @@ impl Rows {
 /// The columns of the table of a map at `path`.
 pub(super) fn columns_of(path: &std::path::Path) -> Result<Columns, Fault> {
     let text = fs::read_to_string(path).map_err(Fault::internal)?;
-    Ok(Columns::of_csv(&text)?)
+    // Only the head is in lines that begin so.
+    let mut rows = &text[..];
+    while let Some((_, rest)) = rows.split_once('\n').filter(|(line, _)| line.starts_with('#')) {
+        rows = rest;
+    }
+    Ok(Columns::of_csv(rows, &WORDS)?)
 }

@@ -2,17 +2,19 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov::ParameterError;
 use lyapunov_lab::explain::Hint;
 use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::run::Curves;
-use lyapunov_lab::{Rollout, RowFile, Space, Summary, in_space, row_numbers, scene as lab};
+use lyapunov_lab::{
+    Rollout, RowFile, SVector, Space, Summary, in_space, row_numbers, scene as lab,
+};
 use pyo3::prelude::*;
 
 use super::columns::{Column, Columns};
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
-use crate::blocks::{PythonStabilizer, Raised};
+use crate::axes::Axes;
+use crate::blocks::{PythonStabilizer, Raised, Stabilizer};
 use crate::errors;
 
 /// Ticks between two looks at whether to go on.
@@ -55,31 +57,26 @@ fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<To
     }
     match by {
         By::Scene => {
-            in_space!(scene, Axes => drain(scene, name, Rollout::<Axes>::of(scene), watched))
+            in_space!(scene, Own => drain(scene, name, Rollout::<Own>::of(scene).map_err(Fault::input)?, watched))
         }
         By::Name(who) => {
             who.check_axes(scene).map_err(Fault::input)?;
             // The summary tells the table that ran.
             let told = who.written_in(scene, &[]).map_err(Fault::input)?;
-            in_space!(scene, Axes => drain(&told, name, Rollout::<Axes>::under(scene, *who), watched))
+            in_space!(scene, Own => {
+                let rollout = Rollout::<Own>::under(scene, *who).map_err(Fault::input)?;
+                drain(&told, name, rollout, watched)
+            })
         }
         By::Python(object, raised) => {
-            let object = Python::attach(|py| object.clone_ref(py));
-            let made = PythonStabilizer::new(object, raised.clone());
             let told = match scene.dimensions() {
-                1 => drain(scene, name, Rollout::<f64>::stabilized_by(scene, made), watched),
-                2 => drain(
-                    scene,
-                    name,
-                    Rollout::<lyapunov_lab::SVector<f64, 2>>::stabilized_by(scene, made),
-                    watched,
-                ),
-                _ => drain(
-                    scene,
-                    name,
-                    Rollout::<lyapunov_lab::SVector<f64, 3>>::stabilized_by(scene, made),
-                    watched,
-                ),
+                1 => drain(scene, name, foreign::<f64>(scene, object, raised)?, watched),
+                2 => {
+                    drain(scene, name, foreign::<SVector<f64, 2>>(scene, object, raised)?, watched)
+                }
+                _ => {
+                    drain(scene, name, foreign::<SVector<f64, 3>>(scene, object, raised)?, watched)
+                }
             };
             raised.check()?;
             told
@@ -87,18 +84,40 @@ fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<To
     }
 }
 
+/// The loop of `scene` under an object of Python, which reports call by what it is.
+fn foreign<V: Space + Axes>(
+    scene: &lab::Scene,
+    object: &Py<PyAny>,
+    raised: &Raised,
+) -> Result<Rollout<V>, Fault> {
+    let told = Python::attach(|py| who(object.bind(py)).map(|name| (object.clone_ref(py), name)));
+    let (object, name) = told?;
+    let made = PythonStabilizer::new(object, raised.clone());
+    Ok(Rollout::stabilized_by(scene, made).map_err(Fault::input)?.called(name))
+}
+
+/// What an object is: a block with its numbers, or its class.
+fn who(object: &Bound<'_, PyAny>) -> PyResult<String> {
+    match object.cast::<Stabilizer>() {
+        Ok(block) => Ok(block.repr()?.to_string()),
+        Err(_) => Ok(object.get_type().name()?.to_string()),
+    }
+}
+
 /// All that a rollout tells.
 fn drain<V: Space>(
     scene: &lab::Scene,
     name: &str,
-    rollout: Result<Rollout<V>, ParameterError>,
+    rollout: Rollout<V>,
     watched: &Watched,
 ) -> Result<Told, Fault> {
-    let (mut summary, mut curves) = (Summary::new(scene), Curves::new(scene));
+    let (mut summary, mut curves) = (Summary::under(scene, &rollout), Curves::new(scene));
     let names: Vec<String> = RowFile::of(scene).columns.into_iter().map(|it| it.name).collect();
     let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
-    for tick in rollout.map_err(Fault::input)? {
-        if summary.rows.is_multiple_of(BREATH) && watched.add(BREATH) == ControlFlow::Break(()) {
+    for tick in rollout {
+        // The tick at 0 s is the first, and no tick of the scene's duration.
+        let done = if summary.rows == 0 { 0 } else { BREATH };
+        if summary.rows.is_multiple_of(BREATH) && watched.add(done) == ControlFlow::Break(()) {
             return Err(Fault::Stopped);
         }
         for (column, number) in numbers.iter_mut().zip(row_numbers(&tick)) {

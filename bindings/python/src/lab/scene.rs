@@ -1,13 +1,15 @@
 //! Scene.
 
-use std::path::PathBuf;
+use std::io::{self, Cursor, ErrorKind, Read};
+use std::path::{Path, PathBuf};
 
-use lyapunov_lab::scene as lab;
+use lyapunov_lab::scene::{self as lab, Motion};
 use lyapunov_lab::scenes::text_of;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
+use pyo3::types::PyDict;
 
+use super::tables;
 use crate::errors;
 
 /// A checked scene: a simulated loop, its duration and its stabilizer, in SI units.
@@ -32,7 +34,7 @@ impl Scene {
         let py = source.py();
         if let Ok(table) = source.cast::<PyDict>() {
             let name = name.unwrap_or_else(|| "scene".to_owned());
-            let text = toml::to_string(&tree(table, "")?).map_err(errors::input)?;
+            let text = toml::to_string(&tables::read(table)?).map_err(errors::input)?;
             return Self::read(py, &text, name);
         }
         let path: PathBuf = source
@@ -53,18 +55,23 @@ impl Scene {
     #[staticmethod]
     fn shipped(py: Python<'_>, name: &str) -> PyResult<Self> {
         let text = text_of(name).map_err(errors::input)?;
-        Self::read(py, text, name.to_owned())
+        // What a scene that ships reads ships with it.
+        let open = |path: &Path| match text_of(&path.to_string_lossy()) {
+            Ok(text) => Ok(Box::new(text.as_bytes()) as Box<dyn Read>),
+            Err(_) => Err(ErrorKind::NotFound.into()),
+        };
+        Self::beside(py, text, name.to_owned(), &open)
     }
 
-    /// The scene in TOML, with all its numbers.
+    /// The scene in TOML, with all its numbers; a cap that it leaves out stays left out, as it follows the delay.
     fn to_toml(&self) -> PyResult<String> {
-        toml::to_string(&self.scene).map_err(errors::internal)
+        toml::to_string(&self.scene.as_written()).map_err(errors::internal)
     }
 
-    /// The scene as a dictionary, with all its numbers.
+    /// The scene as a dictionary, with the numbers of `to_toml`.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let tree = toml::Value::try_from(&self.scene).map_err(errors::internal)?;
-        value(py, &tree)
+        let tree = toml::Value::try_from(self.scene.as_written()).map_err(errors::internal)?;
+        tables::shown(py, &tree)
     }
 
     /// The number of servo ticks.
@@ -82,12 +89,22 @@ impl Scene {
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let this = slf.get();
         let again = slf.get_type().getattr("_restored")?;
-        (again, (this.to_toml()?, this.name.clone())).into_pyobject(slf.py()).map(Bound::into_any)
+        let parts = (this.to_toml()?, this.name.clone(), this.motion());
+        (again, parts).into_pyobject(slf.py()).map(Bound::into_any)
     }
 
     #[staticmethod]
-    fn _restored(py: Python<'_>, text: &str, name: String) -> PyResult<Self> {
-        Self::read(py, text, name)
+    fn _restored(
+        py: Python<'_>,
+        text: &str,
+        name: String,
+        motion: Option<Vec<u8>>,
+    ) -> PyResult<Self> {
+        let open = |_: &Path| match &motion {
+            Some(rows) => Ok(Box::new(Cursor::new(rows.clone())) as Box<dyn Read>),
+            None => Err(ErrorKind::NotFound.into()),
+        };
+        Self::beside(py, text, name, &open)
     }
 
     fn __repr__(&self) -> String {
@@ -96,80 +113,25 @@ impl Scene {
 }
 
 impl Scene {
+    fn beside(
+        py: Python<'_>,
+        text: &str,
+        name: String,
+        open: &dyn Fn(&Path) -> io::Result<Box<dyn Read>>,
+    ) -> PyResult<Self> {
+        let scene = lab::Scene::parse_beside(text, &name, open);
+        Ok(Self { scene: scene.map_err(|fault| errors::scene(py, &fault))?, name })
+    }
+
+    /// The rows of its recorded motion, which need not be where the scene is read again.
+    fn motion(&self) -> Option<Vec<u8>> {
+        let Some(Motion::File { samples, .. }) = &self.scene.operator.motion else { return None };
+        let rows = samples.iter().map(|(t, rest)| format!("{t:?},{rest:?}\n"));
+        Some(format!("t,rest\n{}", rows.collect::<String>()).into_bytes())
+    }
+
     fn read(py: Python<'_>, text: &str, name: String) -> PyResult<Self> {
         let scene = lab::Scene::parse(text, &name).map_err(|fault| errors::scene(py, &fault))?;
         Ok(Self { scene, name })
     }
-}
-
-/// The table of a dictionary; `path` is the one that leads to it.
-fn tree(table: &Bound<'_, PyDict>, path: &str) -> PyResult<toml::Value> {
-    let mut found = toml::Table::new();
-    for (key, inner) in table {
-        let key: String = key.extract().map_err(|_| {
-            errors::input(format!(
-                "a key of `{path}` is no string\n  = use the names of scene files"
-            ))
-        })?;
-        let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
-        if !inner.is_none() {
-            found.insert(key, leaf(&inner, &path)?);
-        }
-    }
-    Ok(toml::Value::Table(found))
-}
-
-/// The value of TOML that a value of Python is.
-fn leaf(inner: &Bound<'_, PyAny>, path: &str) -> PyResult<toml::Value> {
-    if let Ok(table) = inner.cast::<PyDict>() {
-        return tree(table, path);
-    }
-    if let Ok(truth) = inner.cast::<PyBool>() {
-        return Ok(truth.is_true().into());
-    }
-    if let Ok(text) = inner.cast::<PyString>() {
-        return Ok(text.to_string().into());
-    }
-    if inner.is_instance_of::<PyInt>() {
-        let whole: i64 = inner.extract()?;
-        return Ok(whole.into());
-    }
-    if inner.is_instance_of::<PyFloat>() {
-        return Ok(inner.extract::<f64>()?.into());
-    }
-    if inner.is_instance_of::<PyList>() || inner.is_instance_of::<PyTuple>() {
-        let items = inner.try_iter()?.map(|item| leaf(&item?, path));
-        return Ok(toml::Value::Array(items.collect::<PyResult<_>>()?));
-    }
-    // Scalars and arrays of NumPy tell themselves as numbers and lists.
-    match inner.call_method0("tolist") {
-        Ok(plain) => leaf(&plain, path),
-        Err(_) => Err(errors::input(format!(
-            "`{path}` is {}, which no scene holds\n  = give a number, a string, a list or a dictionary",
-            inner.get_type().name()?
-        ))),
-    }
-}
-
-/// The value of Python that a value of TOML is.
-fn value<'py>(py: Python<'py>, tree: &toml::Value) -> PyResult<Bound<'py, PyAny>> {
-    Ok(match tree {
-        toml::Value::String(text) => PyString::new(py, text).into_any(),
-        toml::Value::Integer(whole) => whole.into_pyobject(py)?.into_any(),
-        toml::Value::Float(number) => PyFloat::new(py, *number).into_any(),
-        toml::Value::Boolean(truth) => PyBool::new(py, *truth).to_owned().into_any(),
-        toml::Value::Datetime(time) => PyString::new(py, &time.to_string()).into_any(),
-        toml::Value::Array(items) => {
-            let items: Vec<_> =
-                items.iter().map(|item| value(py, item)).collect::<PyResult<_>>()?;
-            PyList::new(py, items)?.into_any()
-        }
-        toml::Value::Table(table) => {
-            let found = PyDict::new(py);
-            for (key, inner) in table {
-                found.set_item(key, value(py, inner)?)?;
-            }
-            found.into_any()
-        }
-    })
 }

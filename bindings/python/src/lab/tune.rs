@@ -8,6 +8,7 @@ use super::columns::Columns;
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
+use crate::whole;
 
 /// The best parameters of each stabilizer, from as many runs for each.
 #[pyfunction]
@@ -18,9 +19,9 @@ pub(crate) fn tune(
     scene: &Bound<'_, Scene>,
     stabilizers: &str,
     objective: Option<&str>,
-    trials: Option<u32>,
-    runs: Option<u32>,
-    seed: Option<u64>,
+    #[pyo3(from_py_with = whole::trials_if_any)] trials: Option<u32>,
+    #[pyo3(from_py_with = whole::runs_if_any)] runs: Option<u32>,
+    #[pyo3(from_py_with = whole::seed_if_any)] seed: Option<u64>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
@@ -60,7 +61,7 @@ pub(crate) fn tune(
             text: table(&name, &tuning, &tuned),
             figures: vec![figure(&name, tuning.objective, &tuned).to_svg()],
             scenes: scenes.collect::<Result<_, _>>()?,
-            columns: Columns::of_csv(&csv(&tuned))?,
+            columns: Columns::of_csv(&csv(&tuned), &["stabilizer", "key", "unit"])?,
         })
     })
 }

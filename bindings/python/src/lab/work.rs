@@ -55,6 +55,10 @@ pub(crate) struct Watched {
 }
 
 impl Watched {
+    fn of(total: u64) -> Self {
+        Self { stopped: AtomicBool::new(false), done: AtomicU64::new(0), total }
+    }
+
     /// Adds to what is done, and says whether to go on.
     pub(crate) fn add(&self, more: u64) -> ControlFlow<()> {
         self.done.fetch_add(more, Ordering::Relaxed);
@@ -85,15 +89,12 @@ pub(crate) fn wait<T: Send + 'static>(
     total: u64,
     work: impl FnOnce(&Watched) -> Result<T, Fault> + Send + 'static,
 ) -> PyResult<T> {
-    let watched =
-        Arc::new(Watched { stopped: AtomicBool::new(false), done: AtomicU64::new(0), total });
+    let watched = Arc::new(Watched::of(total));
     let (sender, mut results) = channel();
     let (shared, pool) = (Arc::clone(&watched), pool()?);
     thread::spawn(move || {
-        let result = catch_unwind(AssertUnwindSafe(|| pool.install(|| work(&shared))));
-        let panicked = |_| Err(Fault::internal("a part of lyapunov panicked"));
         // The receiver is gone where the waiting thread was interrupted.
-        let _ = sender.send(result.unwrap_or_else(panicked));
+        let _ = sender.send(done_in(&pool, &shared, work));
     });
     let told = |done: u64| progress.map_or(Ok(()), |it| it.call1((done, total)).map(drop));
     loop {
@@ -101,9 +102,7 @@ pub(crate) fn wait<T: Send + 'static>(
         match py.detach(move || waiting.recv_timeout(BREATH)) {
             Ok(Ok(result)) => return told(total).map(|()| result),
             Ok(Err(fault)) => return Err(raised(fault)),
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(errors::internal("the work was lost"));
-            }
+            Err(RecvTimeoutError::Disconnected) => return Err(lost()),
             Err(RecvTimeoutError::Timeout) => {
                 let done = watched.done.load(Ordering::Relaxed);
                 if let Err(error) = py.check_signals().and_then(|()| told(done)) {
@@ -115,6 +114,48 @@ pub(crate) fn wait<T: Send + 'static>(
             }
         }
     }
+}
+
+/// The result of `work` on what the caller has borrowed: an interrupt is raised when the work has ended.
+pub(crate) fn wait_here<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&Watched) -> Result<T, Fault> + Send,
+) -> PyResult<T> {
+    let (watched, pool) = (Watched::of(0), pool()?);
+    let (sender, results) = channel();
+    py.detach(move || {
+        let (watched, pool) = (&watched, &pool);
+        thread::scope(|scope| {
+            scope.spawn(move || {
+                let _ = sender.send(done_in(pool, watched, work));
+            });
+            loop {
+                match results.recv_timeout(BREATH) {
+                    Ok(result) => return result.map_err(raised),
+                    Err(RecvTimeoutError::Disconnected) => return Err(lost()),
+                    Err(RecvTimeoutError::Timeout) => {}
+                }
+                if let Err(error) = Python::attach(|py| py.check_signals()) {
+                    watched.stopped.store(true, Ordering::Relaxed);
+                    return Err(error);
+                }
+            }
+        })
+    })
+}
+
+/// What `work` does on the threads of `pool`.
+fn done_in<T: Send>(
+    pool: &ThreadPool,
+    watched: &Watched,
+    work: impl FnOnce(&Watched) -> Result<T, Fault> + Send,
+) -> Result<T, Fault> {
+    let result = catch_unwind(AssertUnwindSafe(|| pool.install(|| work(watched))));
+    result.unwrap_or_else(|_| Err(Fault::internal("a part of lyapunov panicked")))
+}
+
+fn lost() -> PyErr {
+    errors::internal("the work was lost")
 }
 
 fn raised(fault: Fault) -> PyErr {

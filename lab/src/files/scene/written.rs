@@ -93,9 +93,24 @@ impl TryFrom<Keys> for Draft {
 }
 
 impl From<Draft> for Keys {
+    /// All keys with every default in place, for reports and for maps, which vary what is there.
     fn from(scene: Draft) -> Self {
+        Self { stabilizer: with_cap(&scene), ..Self::of(scene) }
+    }
+}
+
+impl Draft {
+    /// The same scene to be written and read again: a cap that is left out stays left out, so that it follows a delay that
+    /// is added later.
+    pub fn as_written(&self) -> impl Serialize + use<> {
+        Keys::of(self.clone())
+    }
+}
+
+impl Keys {
+    fn of(scene: Draft) -> Self {
         let (integrator, steps_per_tick, tolerance) = scene.integrator.keys();
-        let (stabilizer, dimensions) = (with_cap(&scene), scene.dimensions());
+        let dimensions = scene.dimensions();
         let Initial { position, velocity } = scene.initial;
         let initial = Initial {
             position: position.written_in(dimensions),
@@ -118,7 +133,7 @@ impl From<Draft> for Keys {
             space: scene.space,
             initial,
             environment: scene.environment,
-            stabilizer,
+            stabilizer: scene.stabilizer,
             effects: scene.effects,
         }
     }

@@ -88,15 +88,19 @@ impl Trial {
         Ok(Self { verdict, verdict_by, whole, first, moved, feel, look_at })
     }
 
-    /// Runs `scene`; none if the run grows, or if the loop is linear, has no stabilizer and does not decay in contact.
-    pub(crate) fn that_holds<V: Space>(scene: &Scene) -> Option<Self> {
+    /// Runs `scene`, reporting to `watch`; none if the run grows, or if the loop is linear, has no stabilizer and does not decay in contact.
+    pub(crate) fn that_holds<V: Space>(
+        scene: &Scene,
+        watch: &dyn Fn(u64) -> ControlFlow<()>,
+    ) -> Option<Self> {
         let decays = scene.stabilizer.is_some()
             || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
             || LinearPart::of(scene).is_err();
         if !decays {
             return None;
         }
-        Self::of::<V>(scene).ok().filter(|trial| trial.verdict != Verdict::Grows)
+        let trial = Self::along(scene, Rollout::<V>::of(scene).ok()?, watch).ok();
+        trial.filter(|trial| trial.verdict != Verdict::Grows)
     }
 }
 

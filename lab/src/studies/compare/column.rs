@@ -105,6 +105,11 @@ impl Column {
         }
     }
 
+    /// Whether it holds words, and not numbers.
+    pub fn is_words(self) -> bool {
+        matches!(self, Self::Stabilizer | Self::Verdict | Self::BrokeIt | Self::JudgedBy)
+    }
+
     /// The heading in the table, in lines; the last one is the unit.
     pub(crate) fn heading(self) -> &'static str {
         match self {

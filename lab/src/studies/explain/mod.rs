@@ -8,17 +8,22 @@ mod remedy;
 mod report;
 mod words;
 
+use std::ops::ControlFlow;
+
 use lyapunov::ParameterError;
 
 use crate::files::Scene;
 use crate::measure::{Limits, Oddity, Verdict, Yardstick};
-use crate::simulate::Space;
+use crate::simulate::{Rollout, Space};
 
 pub use crate::measure::Balance;
 use crate::measure::balance::Trial;
 pub use groups::DimensionlessGroups;
 pub use hint::Hint;
 pub use remedy::{Change, Remedy};
+
+/// Callback that learns how many more ticks are done, and says whether to go on.
+pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + 'a;
 
 /// Reasons why the run of a scene settles, swings or grows; its `Display` is the output of `lyapunov explain`.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +56,16 @@ impl Explanation {
     /// # Errors
     /// A loop that cannot be made.
     pub fn of<V: Space>(scene: &Scene) -> Result<Self, ParameterError> {
-        let trial = Trial::of::<V>(scene)?;
+        Self::watched::<V>(scene, &|_| ControlFlow::Continue(()))
+    }
+
+    /// The same; `watch` learns from time to time how many more ticks are done, and where it breaks every run ends early and
+    /// nothing that is told is worth anything.
+    ///
+    /// # Errors
+    /// A loop that cannot be made.
+    pub fn watched<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Self, ParameterError> {
+        let trial = Trial::along(scene, Rollout::<V>::of(scene)?, watch)?;
         let limits = Limits::of(scene);
         let is_unstable =
             scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
@@ -59,7 +73,7 @@ impl Explanation {
         let look_at = trial.look_at.into_iter().chain(outside).collect();
         let acts = trial.feel.peak != 0.0;
         let needs_one = acts && (trial.verdict == Verdict::Grows || is_unstable);
-        let remedies = if needs_one { remedy::remedies::<V>(scene) } else { vec![] };
+        let remedies = if needs_one { remedy::remedies::<V>(scene, watch) } else { vec![] };
         Ok(Self {
             scene: scene.clone(),
             verdict: trial.verdict,

@@ -2,6 +2,7 @@
 
 use std::iter;
 
+use super::Watch;
 use crate::files::scene::{
     Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
 };
@@ -53,21 +54,28 @@ pub enum Change {
 }
 
 /// All remedies found for the loop of `scene`.
-pub(super) fn remedies<V: Space>(scene: &Scene) -> Vec<Remedy> {
+pub(super) fn remedies<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Vec<Remedy> {
     let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
         return Vec::new();
     };
-    let found = [softer::<V>(&bare), faster::<V>(&bare), damped::<V>(&bare)];
-    found.into_iter().flatten().chain(stabilized::<V>(&bare)).collect()
+    let found = [softer::<V>(&bare, watch), faster::<V>(&bare, watch), damped::<V>(&bare, watch)];
+    found.into_iter().flatten().chain(stabilized::<V>(&bare, watch)).collect()
 }
 
-fn remedy<V: Space>(scene: Scene, changes: Vec<(String, Change)>) -> Option<Remedy> {
-    let Trial { verdict, feel: Feel { peak, error }, .. } = Trial::that_holds::<V>(&scene)?;
+fn remedy<V: Space>(
+    scene: Scene,
+    changes: Vec<(String, Change)>,
+    watch: &Watch<'_>,
+) -> Option<Remedy> {
+    if watch(0).is_break() {
+        return None;
+    }
+    let Trial { verdict, feel: Feel { peak, error }, .. } = Trial::that_holds::<V>(&scene, watch)?;
     Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
 }
 
 /// The largest stiffness whose loop holds.
-fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
+fn softer<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
     let own = scene.environment.kind().impedance()?.stiffness;
     let limit = LinearPart::of(scene).ok().and_then(|part| part.stable_stiffness());
     let most = match limit {
@@ -81,12 +89,12 @@ fn softer<V: Space>(scene: &Scene) -> Option<Remedy> {
         let mut softer = scene.to_draft();
         softer.environment.kind_mut().set_stiffness(stiffness)?;
         let key = format!("environment.{}.stiffness", softer.environment.name());
-        remedy::<V>(softer.check().ok()?, vec![(key, Change::Number(stiffness))])
+        remedy::<V>(softer.check().ok()?, vec![(key, Change::Number(stiffness))], watch)
     })
 }
 
 /// The lowest rate at which the loop holds: the environment's, and if that already is the servo's, both.
-fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
+fn faster<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
     let at = |servo: f64, ratio: u64| {
         let mut faster = scene.to_draft();
         faster.servo_rate = Positive::new(servo).ok()?;
@@ -101,7 +109,7 @@ fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
         let rate = if ratio > 1 { own / ratio as f64 } else { own };
         let change = vec![("environment_rate".to_owned(), Change::Number(rate))];
         if decays(&faster)
-            && let Some(found) = remedy::<V>(faster, change)
+            && let Some(found) = remedy::<V>(faster, change, watch)
         {
             return Some(found);
         }
@@ -114,12 +122,12 @@ fn faster<V: Space>(scene: &Scene) -> Option<Remedy> {
         if scene.environment_rate.is_some() {
             changes.push(("environment_rate".to_owned(), Change::Number(rate)));
         }
-        remedy::<V>(at(rate, 1)?, changes)
+        remedy::<V>(at(rate, 1)?, changes, watch)
     })
 }
 
 /// The least damping of the device with which the loop holds.
-fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
+fn damped<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
     let own = scene.device.damping.get();
     // Starts from zero damping too: a share of the damping that stops the mass within a period.
     let unit = 1e-6 * scene.port_mass() / scene.period();
@@ -132,12 +140,16 @@ fn damped<V: Space>(scene: &Scene) -> Option<Remedy> {
     let least = own + unit * (lowest(holds, 1e12)? - 1.0);
     (0..TRIALS).find_map(|trial| {
         let damping = rounded_up(least / MARGIN * FURTHER.powi(trial));
-        remedy::<V>(at(damping)?, vec![("device.damping".to_owned(), Change::Number(damping))])
+        remedy::<V>(
+            at(damping)?,
+            vec![("device.damping".to_owned(), Change::Number(damping))],
+            watch,
+        )
     })
 }
 
 /// Each stabilizer with which the loop holds, with the largest of some damping limits.
-fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
+fn stabilized<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Vec<Remedy> {
     let ledger = Ledger::default();
     let popc = |cap| Stabilizer::Popc(Popc { work: Work::Held, ledger, damping_cap: Some(cap) });
     let lolc = |cap| {
@@ -157,7 +169,7 @@ fn stabilized<V: Space>(scene: &Scene) -> Vec<Remedy> {
                 changes.push(("stabilizer.lolc.candidate".to_owned(), word));
             }
             let draft = Draft { stabilizer, ..scene.to_draft() };
-            remedy::<V>(draft.check().ok()?, changes)
+            remedy::<V>(draft.check().ok()?, changes, watch)
         })
     };
     [with("popc", &popc), with("lolc", &lolc)].into_iter().flatten().collect()

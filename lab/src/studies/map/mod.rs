@@ -29,7 +29,7 @@ pub use bounds::{Bounds, OverExact};
 pub use checkpoint::{Checkpoint, CheckpointError, table_name};
 pub use document::{Computation, document};
 pub use grid::{Grid, GridError};
-pub use kernel::{Ends, Kernel, Lanes, Loops, Numbers, Recipe};
+pub use kernel::{Ends, GoOn, Kernel, Lanes, Loops, Numbers, Recipe};
 pub use merge::{MergeError, merge};
 
 pub use picture::{NamedFigure, figure_names, figures};

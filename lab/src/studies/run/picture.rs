@@ -45,7 +45,7 @@ impl Curves {
         let mut energy = panel("energy", "energy, mJ")
             .with_series(Series::line("into the port", 0, points(&self.port, MILLI)))
             .with_guide(Guide::horizontal(0.0, ""));
-        if summary.scene.stabilizer.is_some() {
+        if summary.stabilizing.is_there() {
             let observed = points(&self.observed, MILLI);
             energy = energy.with_series(Series::line("observed by the stabilizer", 1, observed));
         }

@@ -260,6 +260,23 @@ fn a_scene_survives_being_written() {
     }
 }
 
+/// A cap that nobody wrote is none of the copy either: it would stay where a delay is added.
+#[test]
+fn a_cap_that_is_left_out_stays_left_out() {
+    let bare = format!("{SMALLEST}\n[stabilizer.popc]\n");
+    let delayed = format!("{bare}\n[effects.delay]\nticks = 3\n");
+    for text in [FULL, SMALLEST, &bare, &delayed] {
+        let scene = scene(text);
+        let written = toml::to_string(&scene.as_written()).unwrap();
+        assert_eq!(super::scene(&written), scene, "{written}");
+    }
+    let written = toml::to_string(&scene(&bare).as_written()).unwrap();
+    let later = super::scene(&format!("{written}\n[effects.delay]\nticks = 3\n"));
+    assert_eq!(later.damping_cap(), scene(&delayed).damping_cap());
+    // What is told of a run has every number.
+    assert!(toml::to_string(&scene(&bare)).unwrap().contains("damping_cap = 0.5"));
+}
+
 #[test]
 fn a_changed_draft_is_a_scene_once_it_is_checked() {
     let mut draft = scene(FULL).to_draft();

@@ -4,7 +4,7 @@ use lyapunov::Scalar;
 use lyapunov::bodies::Impedance;
 use lyapunov::environments::Wall;
 use lyapunov::stabilizers::{Member, NoStabilizer};
-use lyapunov::{Correction, Dissipation, ParameterError, PortEnergy, PortSample};
+use lyapunov::{Correction, Dissipation, ParameterError, PortEnergy, PortSample, Requirement};
 use pulp::NullaryFnOnce;
 use rayon::prelude::*;
 
@@ -17,6 +17,9 @@ use super::sure::{MODERATE, PERIODS};
 #[cfg(target_arch = "x86_64")]
 use super::{F64s, JUDGED, Proven, V3, V4};
 use crate::simulate::{F64x8, Instructions};
+
+/// Ticks between two questions whether to go on, whole stretches.
+const SLICE: u64 = STRETCH << 10;
 
 /// A number of all loops, or one for each.
 #[derive(Clone, Copy, Debug)]
@@ -39,6 +42,14 @@ impl Numbers<'_> {
         }
     }
 
+    /// The first that is not finite.
+    fn infinite(self) -> Option<f64> {
+        match self {
+            Self::All(number) => Some(number).filter(|it| !it.is_finite()),
+            Self::Each(numbers) => numbers.iter().copied().find(|it| !it.is_finite()),
+        }
+    }
+
     /// Whether all of them are [moderate](super::sure).
     fn are_moderate(self) -> bool {
         let is_moderate = |number: &f64| number.abs() <= MODERATE;
@@ -48,6 +59,9 @@ impl Numbers<'_> {
         }
     }
 }
+
+/// Whether to go on.
+pub type GoOn<'a> = dyn Fn() -> bool + Sync + 'a;
 
 /// Maker of the stabilizer of every loop.
 pub trait Recipe: Sync {
@@ -95,25 +109,30 @@ pub struct Ends {
     pub velocity: Vec<f64>,
     /// Observed energy at the last tick, J.
     pub observed_energy: Vec<f64>,
-    /// The largest |position| in the second half, m.
+    /// The largest |position| from half of the ticks on, the start and the end counted, m.
     pub largest: Vec<f64>,
 }
 
 impl Loops<'_> {
-    /// The ends of all loops, on all threads of the present pool.
+    /// The ends of all loops, on all threads of the present pool; none where `go_on`, which is asked now and then, stopped them.
     ///
     /// # Errors
-    /// A number that a mass, a wall or a stabilizer cannot have.
-    pub fn ends(&self, recipe: &impl Recipe) -> Result<Ends, ParameterError> {
+    /// A number that a mass, a wall, a start or a stabilizer cannot have.
+    pub fn ends(
+        &self,
+        recipe: &impl Recipe,
+        go_on: &GoOn<'_>,
+    ) -> Result<Option<Ends>, ParameterError> {
+        self.check_places()?;
         match Instructions::best() {
-            Instructions::Base => self.under::<F64x8>(recipe, &|| ()),
+            Instructions::Base => self.under::<F64x8>(recipe, &|| (), go_on),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2(proof) => {
-                self.under::<F64s<V3, { JUDGED[0] }>>(recipe, &|| proof.prove())
+                self.under::<F64s<V3, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on)
             }
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512(proof) => {
-                self.under::<F64s<V4, { JUDGED[0] }>>(recipe, &|| proof.prove())
+                self.under::<F64s<V4, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on)
             }
         }
     }
@@ -123,18 +142,20 @@ impl Loops<'_> {
         &self,
         recipe: &impl Recipe,
         prove: &(dyn Fn() + Sync),
-    ) -> Result<Ends, ParameterError> {
+        go_on: &GoOn<'_>,
+    ) -> Result<Option<Ends>, ParameterError> {
         prove();
         match recipe.make::<T>()? {
             Member::NoStabilizer(_) => {
-                self.spread::<T, _>(NoStabilizer, prove, |ticks| T::run(ticks))
+                self.spread::<T, _>(NoStabilizer, prove, go_on, |ticks| T::run(ticks))
             }
-            Member::Popc(popc) => self.spread::<T, _>(popc, prove, |ticks| T::run(ticks)),
-            Member::Lolc(lolc) => self.spread::<T, _>(lolc, prove, |ticks| T::run(ticks)),
+            Member::Popc(popc) => self.spread::<T, _>(popc, prove, go_on, |ticks| T::run(ticks)),
+            Member::Lolc(lolc) => self.spread::<T, _>(lolc, prove, go_on, |ticks| T::run(ticks)),
             // All others share one loop, which asks on every tick which it is: arrays spare one for each set of vectors.
             _ => {
                 let member = recipe.make::<F64x8>()?;
-                self.spread::<F64x8, _>(member, prove, |ticks| Instructions::best().run(ticks))
+                let run = |ticks: Ticks<'_, F64x8, _>| Instructions::best().run(ticks);
+                self.spread::<F64x8, _>(member, prove, go_on, run)
             }
         }
     }
@@ -143,8 +164,9 @@ impl Loops<'_> {
         &self,
         stabilizer: S,
         prove: &(dyn Fn() + Sync),
+        go_on: &GoOn<'_>,
         run: impl Fn(Ticks<'_, T, S>) + Sync,
-    ) -> Result<Ends, ParameterError> {
+    ) -> Result<Option<Ends>, ParameterError> {
         let (width, are_moderate) = (T::BESIDE * T::LANES, self.are_moderate());
         let mut first = Bodies::none();
         self.group(0, &mut first, stabilizer, are_moderate)?;
@@ -159,10 +181,12 @@ impl Loops<'_> {
                 let groups =
                     starts.map(|first| self.group(first, bodies, stabilizer, are_moderate));
                 let mut groups = groups.collect::<Result<Vec<_>, _>>()?;
-                run(Ticks { groups: &mut groups, ticks: self.ticks });
-                Ok::<_, ParameterError>(groups.iter().flat_map(Group::ends).collect())
+                let is_whole = halves(&mut groups, self.ticks, go_on, &run);
+                let ends = || groups.iter().flat_map(Group::ends).collect();
+                Ok::<_, ParameterError>(is_whole.then(ends))
             });
-        let shares: Vec<Vec<[f64; 4]>> = shares.collect::<Result<_, _>>()?;
+        let shares: Option<Vec<Vec<[f64; 4]>>> = shares.collect::<Result<_, _>>()?;
+        let Some(shares) = shares else { return Ok(None) };
         let mut ends = Ends::default();
         for [position, velocity, observed_energy, largest] in
             shares.concat().into_iter().take(self.count)
@@ -172,7 +196,7 @@ impl Loops<'_> {
             ends.observed_energy.push(observed_energy);
             ends.largest.push(largest);
         }
-        Ok(ends)
+        Ok(Some(ends))
     }
 
     fn group<T: Batch, S: Accounted<T>>(
@@ -190,13 +214,29 @@ impl Loops<'_> {
         };
         let body = bodies.of(impedance, T::of(self.period))?;
         let plant = body.starting(self.position.lanes(first), self.velocity.lanes(first));
-        let wall = Wall::new(self.wall_stiffness.lanes(first), self.wall_damping.lanes(first))?;
+        let wall = Wall::new(self.wall_stiffness.lanes(first), self.wall_damping.lanes(first));
+        let wall = wall.map_err(of_wall)?;
         let surface = self.wall_position.lanes(first);
         let port = StabilizedWall::new(wall.at(surface), 1, stabilizer, self.period);
         let port = if are_moderate { port.sure(surface) } else { port };
         Ok(Group {
             looped: Loop::new(plant, port),
             seen: Seen { energy: T::zero(), reach: T::zero() },
+        })
+    }
+
+    /// Checks what no part checks: where loops start, and where walls begin.
+    fn check_places(&self) -> Result<(), ParameterError> {
+        let named = [
+            ("position", self.position),
+            ("velocity", self.velocity),
+            ("wall_position", self.wall_position),
+        ];
+        named.into_iter().try_for_each(|(parameter, numbers)| match numbers.infinite() {
+            None => Ok(()),
+            Some(value) => {
+                Err(ParameterError { parameter, value, requirement: Requirement::Finite })
+            }
         })
     }
 
@@ -319,18 +359,47 @@ impl<T: Batch, S: Accounted<T>> NullaryFnOnce for Ticks<'_, T, S> {
 
     #[inline(always)]
     fn call(mut self) {
-        // A tick sees the position before its motion: the first of these is the last of the first half.
-        let half = self.ticks.div_ceil(2);
-        let first = self.ticks.min(half + 1);
-        self.run(first);
-        for group in self.groups.iter_mut() {
-            group.seen.reach = T::zero();
-        }
-        self.run(self.ticks - first);
-        if self.ticks > half {
-            for Group { looped, seen } in self.groups {
-                seen.reach = seen.reach.larger(looped.sample.position.magnitude());
-            }
-        }
+        self.run(self.ticks);
     }
+}
+
+/// Runs all ticks of `groups`, and forgets what they reached before half of them; whether `go_on` let it come to the end.
+fn halves<T: Batch, S: Accounted<T>>(
+    groups: &mut [Group<T, S>],
+    ticks: u64,
+    go_on: &GoOn<'_>,
+    run: &impl Fn(Ticks<'_, T, S>),
+) -> bool {
+    let slices = |groups: &mut [Group<T, S>], ticks: u64| {
+        let mut left = ticks;
+        while left > 0 && go_on() {
+            let ticks = SLICE.min(left);
+            run(Ticks { groups, ticks });
+            left -= ticks;
+        }
+        left == 0
+    };
+    // A tick sees the position before its motion: the first half ends before that at half of all ticks.
+    let half = ticks.div_ceil(2);
+    if !slices(groups, half) {
+        return false;
+    }
+    for group in groups.iter_mut() {
+        group.seen.reach = T::zero();
+    }
+    let is_whole = slices(groups, ticks - half);
+    for Group { looped, seen } in groups {
+        seen.reach = seen.reach.larger(looped.sample.position.magnitude());
+    }
+    is_whole
+}
+
+/// The error of a wall, by the name that the number has here.
+fn of_wall(error: ParameterError) -> ParameterError {
+    let parameter = match error.parameter {
+        "stiffness" => "wall_stiffness",
+        "damping" => "wall_damping",
+        other => other,
+    };
+    ParameterError { parameter, ..error }
 }

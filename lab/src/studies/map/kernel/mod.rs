@@ -44,7 +44,7 @@ use crate::simulate::family::{BasicName, Settings};
 use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
 use batch::Batch;
-pub use loops::{Ends, Loops, Numbers, Recipe};
+pub use loops::{Ends, GoOn, Loops, Numbers, Recipe};
 use meter::{Everything, Meter, Verdicts};
 use parts::Laned;
 #[cfg(target_arch = "x86_64")]

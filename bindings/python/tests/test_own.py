@@ -1,0 +1,45 @@
+"""Stabilizers of one's own in scenes: what is told of them."""
+
+import lyapunov as ly
+import pytest
+
+
+class Damper:
+    """A constant damper of 2 N·s/m."""
+
+    def stabilize(self, sample, effort):
+        return ly.Correction(effort + 2.0 * sample.velocity, observed_energy=-1.0, alpha=2.0, shortfall=3.0)
+
+
+@pytest.mark.parametrize("scene", ["paper-50k-none", "paper-50k-popc"])
+def test_a_run_tells_the_stabilizer_that_ran(scene):
+    """Whatever the scene names: its own stabilizer did not run."""
+    told = ly.run(ly.Scene.shipped(scene), stabilizer=Damper())
+    assert "stabilizer   Damper, which is the program's own" in str(told) and "POPC" not in str(told)
+    assert "[stabilizer" not in told.document["file"]["scene"]
+    of = told.document["stabilizer"]
+    assert of["own"] == "Damper"
+    assert of["shortfall_mj"] == 3000.0 and of["active_percent"] == 100.0
+    # The energy that it asked for is what the rows say, in mJ.
+    v = told.table["v"]
+    assert of["energy_asked_for_mj"] == pytest.approx(1e3 * (2.0 * v * v).sum() * 0.01, rel=1e-9)
+    assert "observed by the stabilizer" in told.svg[0]
+
+
+def test_a_name_is_that_of_one_stabilizer():
+    scene = ly.Scene.shipped("paper-50k-none")
+    with pytest.raises(ly.InputError, match="`none` is a stabilizer of the family that takes part"):
+        ly.compare(scene, stabilizers="none", own={"none": Damper})
+    with pytest.raises(ly.InputError, match="there is no scene"):
+        ly.compare()
+
+
+def test_a_block_runs_in_a_scene_by_its_name_and_numbers():
+    limit = ly.damping_limit(0.1 + 0.2, 0.01)
+    block = ly.run(ly.Scene.shipped("paper-50k-none"), stabilizer=ly.Stabilizer("popc", limit=limit))
+    named = ly.run(ly.Scene.shipped("paper-50k-none"), stabilizer="popc")
+    assert f'Stabilizer("popc", limit={limit})' in str(block)
+    of = dict(block.document["stabilizer"])
+    assert of.pop("own") == f'Stabilizer("popc", limit={limit})'
+    assert of == named.document["stabilizer"]
+    assert list(block.table["alpha"]) == list(named.table["alpha"])

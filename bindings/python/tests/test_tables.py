@@ -1,0 +1,56 @@
+"""Tables: their columns and types are the same whatever the numbers are."""
+
+import subprocess
+import sys
+
+import lyapunov as ly
+import numpy as np
+import pytest
+
+TABLES = {"duration": 1.0, "servo_rate": 1000, "device": {"mass": 0.2}, "environment": {"wall": {"stiffness": 8000.0}}}
+WORDS = {"scene", "stabilizer", "verdict", "broke_it", "judged_by"}
+
+
+def kinds(table):
+    return {name: "numbers" if isinstance(column, np.ndarray) else "words" for name, column in table.items()}
+
+
+def test_a_column_without_a_number_is_one_of_numbers():
+    """Nothing settles and nothing is felt in a scene that grows."""
+    scene = ly.Scene.shipped("paper-50k-none")
+    one, two = ly.compare(scene, stabilizers="none").table, ly.compare(scene, stabilizers="none,popc").table
+    assert kinds(one) == kinds(two) == {name: "words" if name in WORDS else "numbers" for name in one}
+    assert np.isnan(one["settling_time_s"]).all() and one["settling_time_s"].dtype == np.float64
+    sweep = ly.map(scene, "environment.wall.stiffness=50000..60000:2", stabilizers="none").table
+    assert {name for name, kind in kinds(sweep).items() if kind == "words"} == WORDS - {"scene"}
+
+
+@pytest.mark.parametrize("name", ["#1", "50000", "nan", 'a,"b', "inf"])
+def test_a_scene_may_have_any_name(name):
+    table = ly.compare(ly.Scene(TABLES, name=name), stabilizers="none,popc").table
+    assert table["scene"] == [name, name] and table["stabilizer"] == ["none", "popc"]
+    assert all(len(column) == 2 for column in table.values())
+
+
+def test_the_numbers_are_those_of_the_document():
+    told = ly.compare(ly.Scene.shipped("paper-8k-popc"), stabilizers="none,popc,tank")
+    for row, values in enumerate(told.document["rows"]):
+        for name, column in told.table.items():
+            # A time of a step is a range in the document.
+            if name in values and isinstance(column, np.ndarray) and not isinstance(values[name], dict):
+                expected = np.nan if values[name] is None else values[name]
+                assert column[row] == expected or np.isnan([column[row], expected]).all(), name
+
+
+def test_a_log_without_contacts_has_the_columns_of_one_with_them(tmp_path):
+    log, table = tmp_path / "log.csv", {}
+    for kind, force in (("contact", 5.0), ("none", 0.0)):
+        rows = [f"{1e-3 * tick},{1e-4 * tick},{force if 20 < tick < 60 else 0.0}" for tick in range(100)]
+        log.write_text("\n".join(["t,x,f", *rows]) + "\n")
+        table[kind] = ly.observe(log).table
+        out = tmp_path / kind
+        subprocess.run([sys.executable, "-m", "lyapunov", "observe", str(log), "--out", str(out), "--quiet"], check=True)
+    assert kinds(table["contact"]) == kinds(table["none"]) and len(table["none"]["start"]) == 0
+    header, row = (tmp_path / "contact" / "observe.csv").read_text().splitlines()
+    assert list(table["contact"]) == header.split(",")
+    assert [column[0] for column in table["contact"].values()] == [float(field or "nan") for field in row.split(",")]
