@@ -1,7 +1,6 @@
 //! The command `lyapunov accuracy`.
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -92,10 +91,7 @@ impl Accuracy {
         };
         let watch = |share: f64| {
             bar.set_position((share * PARTS) as u64);
-            match End::if_interrupted() {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
-            }
+            End::go_on()
         };
         let name = legible(&self.scene.display().to_string());
         let study = Study::watched(&name, scene, &watch).map_err(|error| match error {

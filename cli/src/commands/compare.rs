@@ -2,7 +2,6 @@
 
 use std::fmt::Display;
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -197,10 +196,7 @@ impl Compare {
     ) -> Result<(Comparison, Answers), End> {
         let watch = |ticks| {
             bar.inc(ticks);
-            match End::if_interrupted() {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
-            }
+            End::go_on()
         };
         let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,

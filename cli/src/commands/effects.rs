@@ -1,7 +1,6 @@
 //! The command `lyapunov effects`.
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -53,10 +52,7 @@ impl Effects {
         let bar = self.progress(scene.as_ref())?;
         let watch = || {
             bar.inc(1);
-            match End::if_interrupted() {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
-            }
+            End::go_on()
         };
         let costs = match (&self.scene, &scene) {
             (Some(path), Some(scene)) => Costs::of(&path.display().to_string(), scene, &watch),

@@ -8,7 +8,6 @@ use lyapunov_lab::explain::Explanation;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::{in_space, legible};
 
-use super::apart::apart;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::{End, standard_output};
@@ -45,7 +44,10 @@ impl Explain {
         let files = names(RESULTS, ["explain"], ["explain.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let explanation = apart(move || in_space!(scene, Axes => Explanation::of::<Axes>(&scene)))?;
+        // Stopped runs end early, so that the error of an interrupt comes at once.
+        let watch = |_| End::go_on();
+        let explanation = in_space!(scene, Axes => Explanation::watched::<Axes>(&scene, &watch));
+        End::if_interrupted()?;
         let name = legible(&self.scene.display().to_string());
         let explanation =
             explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;

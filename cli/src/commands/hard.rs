@@ -3,7 +3,6 @@
 mod soak;
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -83,10 +82,7 @@ impl Hard {
         let bar = self.progress();
         let watch = || {
             bar.inc(1);
-            match End::if_interrupted() {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
-            }
+            End::go_on()
         };
         let catalogue = Catalogue::of(self.stabilizer, &watch).map_err(|error| match error {
             HardError::Stopped => End::Interrupted,

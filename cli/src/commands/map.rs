@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
@@ -190,10 +190,7 @@ impl Map {
         };
         let watch = |ticks| {
             bar.inc(ticks);
-            match End::if_interrupted() {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(_) => ControlFlow::Break(()),
-            }
+            End::go_on()
         };
         let sweep =
             plan.run(self.threads.map(usize::from), &watch).map_err(|error| match error {

@@ -1,7 +1,6 @@
 //! Commands of the command line, and the ways they end.
 
 mod accuracy;
-mod apart;
 mod bound;
 mod compare;
 mod effects;
@@ -28,6 +27,7 @@ use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::OnceLock;
@@ -194,6 +194,15 @@ impl End {
     /// Error that ends an interrupted command. Long work calls this now and then.
     pub(crate) fn if_interrupted() -> Result<(), Self> {
         if interrupts::is_interrupted() { Err(Self::Interrupted) } else { Ok(()) }
+    }
+
+    /// Whether work is to go on, for what looks between ticks.
+    pub(crate) fn go_on() -> ControlFlow<()> {
+        if interrupts::is_interrupted() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 
     /// Prints the reason and returns the exit status.

@@ -2,18 +2,23 @@
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::thread;
+use std::time::Duration;
 
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::paper::{Case, Draws, FIGURES, PaperError, Study, figures};
 use lyapunov_lab::{Csv, OutputError, Rollout, Scene};
 
-use super::apart::apart;
 use super::folder::Folder;
 use super::results::names;
 use super::{BAR, End, program, shown, standard_output};
 use crate::files::{Inputs, Outputs};
 use crate::pictures::pictures;
+
+/// Time between two checks for interrupts.
+const BREATH: Duration = Duration::from_millis(50);
 
 /// Judge the paper's claims and draw its figures 6 to 9: a report, verdicts, figures and rows.
 ///
@@ -54,13 +59,7 @@ impl Paper {
         let folder = Folder::claim(&self.out, files, &Inputs::default())?;
         let bar = self.progress();
         let draws = Draws { count: self.draws, seed: self.seed };
-        let stages = bar.clone();
-        let study = apart(move || {
-            Study::run(draws, || -> Result<(), PaperError> {
-                stages.inc(1);
-                Ok(())
-            })
-        })??;
+        let study = studied(draws, bar.clone())?;
         bar.finish_and_clear();
         folder.keep();
         let command =
@@ -95,6 +94,28 @@ impl Paper {
             return ProgressBar::hidden();
         }
         shown(ProgressBar::new(Study::STAGES as u64), BAR)
+    }
+}
+
+/// Runs the study on a thread of its own, so that an interrupt need not wait for a stage to end.
+fn studied(draws: Draws, bar: ProgressBar) -> Result<Study, End> {
+    let (sender, studies) = sync_channel(1);
+    thread::spawn(move || {
+        let study = Study::run(draws, || -> Result<(), PaperError> {
+            bar.inc(1);
+            Ok(())
+        });
+        // After an interrupt the receiver is gone.
+        let _ = sender.send(study);
+    });
+    loop {
+        match studies.recv_timeout(BREATH) {
+            Ok(study) => return Ok(study?),
+            Err(RecvTimeoutError::Timeout) => End::if_interrupted()?,
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(End::internal("the study broke off"));
+            }
+        }
     }
 }
 

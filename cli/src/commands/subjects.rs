@@ -1,7 +1,6 @@
 //! The command `lyapunov compare` of models and teleoperators.
 
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use lyapunov_lab::compare::{Compared, Names, RunError, Sheet, Subject, page};
@@ -78,10 +77,7 @@ pub(super) fn run<C: Compared>(
     let bar = asked.progress(ticks * entrants.len() as u64);
     let watch = |ticks| {
         bar.inc(ticks);
-        match End::if_interrupted() {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(_) => ControlFlow::Break(()),
-        }
+        End::go_on()
     };
     let compared = files.iter().map(|(name, file)| C::of(name, file, &entrants, &watch));
     let comparisons: Result<Vec<_>, _> = compared.collect();

@@ -2,7 +2,6 @@
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -136,10 +135,7 @@ pub(super) fn tune(
     };
     let watch = |runs| {
         bar.inc(runs);
-        match End::if_interrupted() {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(_) => ControlFlow::Break(()),
-        }
+        End::go_on()
     };
     let tuned = names.iter().map(|member| {
         tuning.of(scene, *member, &watch).map_err(|error| match error {

@@ -97,10 +97,7 @@ impl Hard {
         let soaked = soak.run(&mut |_| {
             let spent = start.elapsed();
             bar.set_position(length.min(spent.as_millis() as u64));
-            match spent < span && End::if_interrupted().is_ok() {
-                true => ControlFlow::Continue(()),
-                false => ControlFlow::Break(()),
-            }
+            if spent < span { End::go_on() } else { ControlFlow::Break(()) }
         });
         bar.finish_and_clear();
         let command = format!("{} hard {}", program(), out.join(FOUND).display());
