@@ -51,10 +51,10 @@ fn readings_and_a_watchdog_keep_their_own_numbers() {
     // Period, speed, and where the position is known; position, gap, and two efforts.
     assert_eq!(size_of::<Readings<f64>>(), 7 * size_of::<f64>());
     assert_eq!(size_of::<Readings<f32>>(), 7 * size_of::<f32>());
-    // Rate and velocity; a time; ticks, band, past, known.
+    // Rate and velocity; two times, known; ticks, band, past, known.
     type Plain = Readings<f64>;
     assert_eq!(added::<Readings<f64, LowPassed<f64>>, Plain, f64>(), 1.0 + 2.0);
-    assert_eq!(added::<Readings<f64, Differenced, Clocked>, Plain, f64>(), 2.0);
+    assert_eq!(added::<Readings<f64, Differenced, Clocked>, Plain, f64>(), 3.0);
     assert_eq!(added::<Readings<f64, Windowed<f64, 8>>, Plain, f64>(), 3.0 + 8.0);
     assert_eq!(added::<Readings<f64, Measured>, Plain, f64>(), 0.0);
     // Two times, effort, silence, rise.

@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 /* Version of the binary interface; init refuses another one. */
-#define LYAPUNOV_ABI 2u
+#define LYAPUNOV_ABI 3u
 
 #ifndef LYAPUNOV_API
 #define LYAPUNOV_API extern
@@ -2160,16 +2160,16 @@ typedef struct lyapunov_readings_clocked_f32 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[10];
+    uint32_t kept[12];
 } lyapunov_readings_clocked_f32;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32) == 44, lyapunov_readings_clocked_f32_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32) == 52, lyapunov_readings_clocked_f32_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32, tag) == 0, lyapunov_readings_clocked_f32_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32, kept) == 4, lyapunov_readings_clocked_f32_kept);
 typedef struct lyapunov_readings_clocked_f32_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[8];
+    uint32_t word[10];
 } lyapunov_readings_clocked_f32_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32_memory) == 32, lyapunov_readings_clocked_f32_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32_memory) == 40, lyapunov_readings_clocked_f32_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32_memory, word) == 0, lyapunov_readings_clocked_f32_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2204,16 +2204,16 @@ typedef struct lyapunov_readings_clocked_f64 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[9];
+    uint64_t kept[10];
 } lyapunov_readings_clocked_f64;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64) == 80, lyapunov_readings_clocked_f64_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64) == 88, lyapunov_readings_clocked_f64_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64, tag) == 0, lyapunov_readings_clocked_f64_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64, kept) == 8, lyapunov_readings_clocked_f64_kept);
 typedef struct lyapunov_readings_clocked_f64_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[7];
+    uint64_t word[8];
 } lyapunov_readings_clocked_f64_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64_memory) == 56, lyapunov_readings_clocked_f64_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64_memory) == 64, lyapunov_readings_clocked_f64_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64_memory, word) == 0, lyapunov_readings_clocked_f64_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2248,16 +2248,16 @@ typedef struct lyapunov_readings_clocked_f32x3 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[16];
+    uint32_t kept[18];
 } lyapunov_readings_clocked_f32x3;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3) == 68, lyapunov_readings_clocked_f32x3_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3) == 76, lyapunov_readings_clocked_f32x3_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x3, tag) == 0, lyapunov_readings_clocked_f32x3_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x3, kept) == 4, lyapunov_readings_clocked_f32x3_kept);
 typedef struct lyapunov_readings_clocked_f32x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[14];
+    uint32_t word[16];
 } lyapunov_readings_clocked_f32x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3_memory) == 56, lyapunov_readings_clocked_f32x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3_memory) == 64, lyapunov_readings_clocked_f32x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x3_memory, word) == 0, lyapunov_readings_clocked_f32x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2292,16 +2292,16 @@ typedef struct lyapunov_readings_clocked_f64x3 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[15];
+    uint64_t kept[16];
 } lyapunov_readings_clocked_f64x3;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3) == 128, lyapunov_readings_clocked_f64x3_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3) == 136, lyapunov_readings_clocked_f64x3_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x3, tag) == 0, lyapunov_readings_clocked_f64x3_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x3, kept) == 8, lyapunov_readings_clocked_f64x3_kept);
 typedef struct lyapunov_readings_clocked_f64x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[13];
+    uint64_t word[14];
 } lyapunov_readings_clocked_f64x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3_memory) == 104, lyapunov_readings_clocked_f64x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3_memory) == 112, lyapunov_readings_clocked_f64x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x3_memory, word) == 0, lyapunov_readings_clocked_f64x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2336,16 +2336,16 @@ typedef struct lyapunov_readings_clocked_f32x6 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[25];
+    uint32_t kept[27];
 } lyapunov_readings_clocked_f32x6;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6) == 104, lyapunov_readings_clocked_f32x6_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6) == 112, lyapunov_readings_clocked_f32x6_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x6, tag) == 0, lyapunov_readings_clocked_f32x6_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x6, kept) == 4, lyapunov_readings_clocked_f32x6_kept);
 typedef struct lyapunov_readings_clocked_f32x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[23];
+    uint32_t word[25];
 } lyapunov_readings_clocked_f32x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6_memory) == 92, lyapunov_readings_clocked_f32x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6_memory) == 100, lyapunov_readings_clocked_f32x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x6_memory, word) == 0, lyapunov_readings_clocked_f32x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2380,16 +2380,16 @@ typedef struct lyapunov_readings_clocked_f64x6 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[24];
+    uint64_t kept[25];
 } lyapunov_readings_clocked_f64x6;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6) == 200, lyapunov_readings_clocked_f64x6_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6) == 208, lyapunov_readings_clocked_f64x6_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x6, tag) == 0, lyapunov_readings_clocked_f64x6_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x6, kept) == 8, lyapunov_readings_clocked_f64x6_kept);
 typedef struct lyapunov_readings_clocked_f64x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[22];
+    uint64_t word[23];
 } lyapunov_readings_clocked_f64x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6_memory) == 176, lyapunov_readings_clocked_f64x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6_memory) == 184, lyapunov_readings_clocked_f64x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x6_memory, word) == 0, lyapunov_readings_clocked_f64x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2424,16 +2424,16 @@ typedef struct lyapunov_readings_measured_clocked_f32 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[10];
+    uint32_t kept[12];
 } lyapunov_readings_measured_clocked_f32;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32) == 44, lyapunov_readings_measured_clocked_f32_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32) == 52, lyapunov_readings_measured_clocked_f32_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32, tag) == 0, lyapunov_readings_measured_clocked_f32_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32, kept) == 4, lyapunov_readings_measured_clocked_f32_kept);
 typedef struct lyapunov_readings_measured_clocked_f32_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[8];
+    uint32_t word[10];
 } lyapunov_readings_measured_clocked_f32_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32_memory) == 32, lyapunov_readings_measured_clocked_f32_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32_memory) == 40, lyapunov_readings_measured_clocked_f32_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32_memory, word) == 0, lyapunov_readings_measured_clocked_f32_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2468,16 +2468,16 @@ typedef struct lyapunov_readings_measured_clocked_f64 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[9];
+    uint64_t kept[10];
 } lyapunov_readings_measured_clocked_f64;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64) == 80, lyapunov_readings_measured_clocked_f64_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64) == 88, lyapunov_readings_measured_clocked_f64_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64, tag) == 0, lyapunov_readings_measured_clocked_f64_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64, kept) == 8, lyapunov_readings_measured_clocked_f64_kept);
 typedef struct lyapunov_readings_measured_clocked_f64_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[7];
+    uint64_t word[8];
 } lyapunov_readings_measured_clocked_f64_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64_memory) == 56, lyapunov_readings_measured_clocked_f64_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64_memory) == 64, lyapunov_readings_measured_clocked_f64_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64_memory, word) == 0, lyapunov_readings_measured_clocked_f64_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2512,16 +2512,16 @@ typedef struct lyapunov_readings_measured_clocked_f32x3 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[16];
+    uint32_t kept[18];
 } lyapunov_readings_measured_clocked_f32x3;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3) == 68, lyapunov_readings_measured_clocked_f32x3_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3) == 76, lyapunov_readings_measured_clocked_f32x3_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x3, tag) == 0, lyapunov_readings_measured_clocked_f32x3_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x3, kept) == 4, lyapunov_readings_measured_clocked_f32x3_kept);
 typedef struct lyapunov_readings_measured_clocked_f32x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[14];
+    uint32_t word[16];
 } lyapunov_readings_measured_clocked_f32x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3_memory) == 56, lyapunov_readings_measured_clocked_f32x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3_memory) == 64, lyapunov_readings_measured_clocked_f32x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x3_memory, word) == 0, lyapunov_readings_measured_clocked_f32x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2556,16 +2556,16 @@ typedef struct lyapunov_readings_measured_clocked_f64x3 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[15];
+    uint64_t kept[16];
 } lyapunov_readings_measured_clocked_f64x3;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3) == 128, lyapunov_readings_measured_clocked_f64x3_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3) == 136, lyapunov_readings_measured_clocked_f64x3_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x3, tag) == 0, lyapunov_readings_measured_clocked_f64x3_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x3, kept) == 8, lyapunov_readings_measured_clocked_f64x3_kept);
 typedef struct lyapunov_readings_measured_clocked_f64x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[13];
+    uint64_t word[14];
 } lyapunov_readings_measured_clocked_f64x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3_memory) == 104, lyapunov_readings_measured_clocked_f64x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3_memory) == 112, lyapunov_readings_measured_clocked_f64x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x3_memory, word) == 0, lyapunov_readings_measured_clocked_f64x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2600,16 +2600,16 @@ typedef struct lyapunov_readings_measured_clocked_f32x6 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[25];
+    uint32_t kept[27];
 } lyapunov_readings_measured_clocked_f32x6;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6) == 104, lyapunov_readings_measured_clocked_f32x6_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6) == 112, lyapunov_readings_measured_clocked_f32x6_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x6, tag) == 0, lyapunov_readings_measured_clocked_f32x6_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x6, kept) == 4, lyapunov_readings_measured_clocked_f32x6_kept);
 typedef struct lyapunov_readings_measured_clocked_f32x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[23];
+    uint32_t word[25];
 } lyapunov_readings_measured_clocked_f32x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6_memory) == 92, lyapunov_readings_measured_clocked_f32x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6_memory) == 100, lyapunov_readings_measured_clocked_f32x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x6_memory, word) == 0, lyapunov_readings_measured_clocked_f32x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -2644,16 +2644,16 @@ typedef struct lyapunov_readings_measured_clocked_f64x6 {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[24];
+    uint64_t kept[25];
 } lyapunov_readings_measured_clocked_f64x6;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6) == 200, lyapunov_readings_measured_clocked_f64x6_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6) == 208, lyapunov_readings_measured_clocked_f64x6_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x6, tag) == 0, lyapunov_readings_measured_clocked_f64x6_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x6, kept) == 8, lyapunov_readings_measured_clocked_f64x6_kept);
 typedef struct lyapunov_readings_measured_clocked_f64x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[22];
+    uint64_t word[23];
 } lyapunov_readings_measured_clocked_f64x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6_memory) == 176, lyapunov_readings_measured_clocked_f64x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6_memory) == 184, lyapunov_readings_measured_clocked_f64x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x6_memory, word) == 0, lyapunov_readings_measured_clocked_f64x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -3089,16 +3089,16 @@ typedef struct lyapunov_readings_of_poses_clocked_f32screw {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[53];
+    uint32_t kept[55];
 } lyapunov_readings_of_poses_clocked_f32screw;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw) == 216, lyapunov_readings_of_poses_clocked_f32screw_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw) == 224, lyapunov_readings_of_poses_clocked_f32screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw, tag) == 0, lyapunov_readings_of_poses_clocked_f32screw_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw, kept) == 4, lyapunov_readings_of_poses_clocked_f32screw_kept);
 typedef struct lyapunov_readings_of_poses_clocked_f32screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[50];
+    uint32_t word[52];
 } lyapunov_readings_of_poses_clocked_f32screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw_memory) == 200, lyapunov_readings_of_poses_clocked_f32screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw_memory) == 208, lyapunov_readings_of_poses_clocked_f32screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_memory, word) == 0, lyapunov_readings_of_poses_clocked_f32screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -3136,16 +3136,16 @@ typedef struct lyapunov_readings_of_poses_clocked_f64screw {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[52];
+    uint64_t kept[53];
 } lyapunov_readings_of_poses_clocked_f64screw;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw) == 424, lyapunov_readings_of_poses_clocked_f64screw_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw) == 432, lyapunov_readings_of_poses_clocked_f64screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw, tag) == 0, lyapunov_readings_of_poses_clocked_f64screw_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw, kept) == 8, lyapunov_readings_of_poses_clocked_f64screw_kept);
 typedef struct lyapunov_readings_of_poses_clocked_f64screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[49];
+    uint64_t word[50];
 } lyapunov_readings_of_poses_clocked_f64screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw_memory) == 392, lyapunov_readings_of_poses_clocked_f64screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw_memory) == 400, lyapunov_readings_of_poses_clocked_f64screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_memory, word) == 0, lyapunov_readings_of_poses_clocked_f64screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -3183,16 +3183,16 @@ typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[53];
+    uint32_t kept[55];
 } lyapunov_readings_of_poses_measured_clocked_f32screw;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw) == 216, lyapunov_readings_of_poses_measured_clocked_f32screw_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw) == 224, lyapunov_readings_of_poses_measured_clocked_f32screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw, tag) == 0, lyapunov_readings_of_poses_measured_clocked_f32screw_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw, kept) == 4, lyapunov_readings_of_poses_measured_clocked_f32screw_kept);
 typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[50];
+    uint32_t word[52];
 } lyapunov_readings_of_poses_measured_clocked_f32screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw_memory) == 200, lyapunov_readings_of_poses_measured_clocked_f32screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw_memory) == 208, lyapunov_readings_of_poses_measured_clocked_f32screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_memory, word) == 0, lyapunov_readings_of_poses_measured_clocked_f32screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -3230,16 +3230,16 @@ typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw {
     /* Set by init. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[52];
+    uint64_t kept[53];
 } lyapunov_readings_of_poses_measured_clocked_f64screw;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw) == 424, lyapunov_readings_of_poses_measured_clocked_f64screw_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw) == 432, lyapunov_readings_of_poses_measured_clocked_f64screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw, tag) == 0, lyapunov_readings_of_poses_measured_clocked_f64screw_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw, kept) == 8, lyapunov_readings_of_poses_measured_clocked_f64screw_kept);
 typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[49];
+    uint64_t word[50];
 } lyapunov_readings_of_poses_measured_clocked_f64screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw_memory) == 392, lyapunov_readings_of_poses_measured_clocked_f64screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw_memory) == 400, lyapunov_readings_of_poses_measured_clocked_f64screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_memory, word) == 0, lyapunov_readings_of_poses_measured_clocked_f64screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */

@@ -29,7 +29,9 @@ impl<'tree, 'text> Reader<'tree, 'text> {
 
     fn too_large(&self) -> Fault {
         Fault::new(Problem::Refused {
-            sentence: "must be a number from -2^63 to 2^63 - 1".to_owned(),
+            sentence:
+                "must be a number that 64 bits hold: whole up to 2^63 - 1, or any up to 1.8e308"
+                    .to_owned(),
         })
         .at(&self.place)
     }
