@@ -6,6 +6,7 @@ mod blocks;
 mod command;
 mod errors;
 mod lab;
+mod stored;
 mod whole;
 
 use pyo3::prelude::*;

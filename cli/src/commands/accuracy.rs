@@ -6,12 +6,11 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::accuracy::{AccuracyError, Study};
-use lyapunov_lab::legible;
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, names};
-use super::{BAR, End, program, shown, standard_output};
+use super::{BAR, End, named, program, shown, standard_output};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -93,7 +92,7 @@ impl Accuracy {
             bar.set_position((share * PARTS) as u64);
             End::go_on()
         };
-        let name = legible(&self.scene.display().to_string());
+        let name = named(&self.scene);
         let study = Study::watched(&name, scene, &watch).map_err(|error| match error {
             AccuracyError::Stopped => End::Interrupted,
             error @ AccuracyError::Space { .. } => End::input(error),

@@ -5,12 +5,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lyapunov_lab::bound::{self, Limits, RadiusCurve};
-use lyapunov_lab::legible;
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{End, standard_output};
+use super::{End, named, standard_output};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -47,7 +46,7 @@ impl Bound {
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
         let limits = Limits::of(&scene);
-        let name = legible(&self.scene.display().to_string());
+        let name = named(&self.scene);
         let json = limits.to_json(&name).map_err(End::internal)?;
         if let Some(folder) = folder {
             let curve = RadiusCurve::of(&scene, &limits);

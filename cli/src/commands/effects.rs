@@ -10,7 +10,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, shown, standard_output};
+use super::{BAR, End, named, shown, standard_output};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -55,7 +55,7 @@ impl Effects {
             End::go_on()
         };
         let costs = match (&self.scene, &scene) {
-            (Some(path), Some(scene)) => Costs::of(&path.display().to_string(), scene, &watch),
+            (Some(path), Some(scene)) => Costs::of(&named(path), scene, &watch),
             _ => Costs::measured(&watch),
         };
         let costs = costs.map_err(|error| self.blame(error))?;
@@ -80,7 +80,7 @@ impl Effects {
     fn blame(&self, error: CostsError) -> End {
         match (error, &self.scene) {
             (CostsError::Stopped, _) => End::Interrupted,
-            (error, Some(path)) => End::input(format!("{}: {error}", path.display())),
+            (error, Some(path)) => End::input(format!("{}: {error}", named(path))),
             (error, None) => End::internal(error),
         }
     }

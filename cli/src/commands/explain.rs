@@ -5,12 +5,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lyapunov_lab::explain::Explanation;
+use lyapunov_lab::in_space;
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{in_space, legible};
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{End, standard_output};
+use super::{End, named, standard_output};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -44,13 +44,12 @@ impl Explain {
         let files = names(RESULTS, ["explain"], ["explain.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        // Stopped runs end early, so that the error of an interrupt comes at once.
         let watch = |_| End::go_on();
         let explanation = in_space!(scene, Axes => Explanation::watched::<Axes>(&scene, &watch));
-        End::if_interrupted()?;
-        let name = legible(&self.scene.display().to_string());
+        let name = named(&self.scene);
         let explanation =
             explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;
+        let explanation = explanation.ok_or(End::Interrupted)?;
         let json = explanation.to_json(&name).map_err(End::internal)?;
         if let Some(folder) = folder {
             let results = Results::new(explanation.to_html(&name, &command_line()), RESULTS, &json);

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use super::folder::Folder;
 use super::merge::Merge;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, program, shown, standard_output};
+use super::{BAR, End, named, program, shown, standard_output};
 use crate::files::{Inputs, Output, Outputs};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
@@ -155,7 +155,7 @@ impl Map {
         let mut outputs = Outputs::of(folder);
         outputs.add(table).map_err(End::input)?;
         if shard == Shard::WHOLE {
-            let file = self.scene.as_deref().unwrap_or(Path::new(MERGED)).display().to_string();
+            let file = named(self.scene.as_deref().unwrap_or(Path::new(MERGED)));
             fill(&mut outputs, survey, bounds, text, [&self.command(), &file])?;
         }
         let cells = shard.cells(survey.grid().cells());
@@ -176,9 +176,10 @@ impl Map {
 
     /// Sweeps the number `x` of `scene`.
     fn sweep(&self, scene: Scene, x: &Axis) -> Result<(), End> {
-        let name = self.scene.as_deref().map(|path| path.display().to_string()).unwrap_or_default();
+        let path = self.scene.as_deref().unwrap_or(Path::new(""));
+        let name = named(path);
         let stabilizers = self.stabilizers.on(&scene);
-        let inputs = Inputs::scene(Path::new(&name), &scene);
+        let inputs = Inputs::scene(path, &scene);
         let plan = SweepPlan::new(&name, scene, x.clone(), stabilizers);
         let plan = plan.map_err(|error| self.blame(error))?;
         let files = names(SWEEP, ["verdicts", "sweep"], ["sweep.csv"]);
@@ -257,8 +258,7 @@ impl Map {
 
     /// Input error about the map in this file.
     pub(super) fn blame(&self, error: impl std::fmt::Display) -> End {
-        let file =
-            self.scene.as_deref().map_or_else(String::new, |path| path.display().to_string());
+        let file = self.scene.as_deref().map_or_else(String::new, named);
         End::input(format!("{file}: {error}"))
     }
 

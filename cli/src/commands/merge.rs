@@ -11,7 +11,7 @@ use lyapunov_lab::map::{
 use super::folder::Folder;
 use super::map::{MERGED, RESULTS, fill};
 use super::results::names;
-use super::{End, program, standard_output};
+use super::{End, named, program, standard_output};
 use crate::files::{Inputs, Output, Outputs};
 
 /// Put the shards of a map together.
@@ -70,9 +70,9 @@ impl Merge {
             }
             if !path.is_dir() {
                 let remedy = "give a file: it is read more than once";
-                return Err(End::input(format!("{} is no file\n  = {remedy}", path.display())));
+                return Err(End::input(format!("{} is no file\n  = {remedy}", named(path))));
             }
-            let refuse = |error| End::input(format!("{} cannot be read: {error}", path.display()));
+            let refuse = |error| End::input(format!("{} cannot be read: {error}", named(path)));
             let mut found = Vec::new();
             for entry in path.read_dir().map_err(refuse)? {
                 let entry = entry.map_err(refuse)?.path();

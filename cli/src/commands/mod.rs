@@ -34,7 +34,7 @@ use std::sync::OnceLock;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
 use indicatif::{ProgressBar, ProgressStyle};
-use lyapunov_lab::OutputError;
+use lyapunov_lab::{OutputError, legible};
 
 use crate::files::is_any_kept;
 use crate::interrupts;
@@ -176,6 +176,11 @@ pub(crate) enum End {
     Interrupted,
     /// Interrupted, with an unfinished result kept to go on from; the message names it.
     Kept(String),
+}
+
+/// The path as the terminal may show it.
+pub(crate) fn named(path: &Path) -> String {
+    legible(&path.display().to_string())
 }
 
 impl End {

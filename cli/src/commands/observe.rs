@@ -11,7 +11,7 @@ use lyapunov_lab::scene::Scene;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{End, standard_output};
+use super::{End, named, standard_output};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -127,7 +127,7 @@ impl Observe {
             ));
         };
         let scene = Scene::load(path).map_err(End::input)?;
-        Ok(Some(Asked { stabilizers, scene, name: path.display().to_string() }))
+        Ok(Some(Asked { stabilizers, scene, name: named(path) }))
     }
 
     fn candidate(&self) -> Result<Candidate, End> {

@@ -10,14 +10,12 @@ use lyapunov_lab::explain::Hint;
 use lyapunov_lab::observe::{Columns, Scale};
 use lyapunov_lab::run::{Against, Curves, Laid, Start};
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{
-    Csv, OutputError, Rollout, Row, RowFile, Space, Summary, Tick, in_space, legible,
-};
+use lyapunov_lab::{Csv, OutputError, Rollout, Row, RowFile, Space, Summary, Tick, in_space};
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{BAR, End, say, shown, standard_output};
+use super::{BAR, End, named, say, shown, standard_output};
 use crate::files::{Inputs, Output, Sidecar};
 #[cfg(feature = "parquet")]
 use crate::parquet::Parquet;
@@ -169,7 +167,7 @@ impl Run {
         let mut curves = Curves::new(scene);
         let rows = Rows::Csv(&mut csv, &refused);
         let told = simulate(scene, &self.progress(scene), rows, Some(&mut curves), log)?;
-        let name = legible(&self.scene.display().to_string());
+        let name = named(&self.scene);
         let page = curves.to_html(&name, &told.summary, told.laid.as_ref(), &command_line());
         let results = Results::new(page, RESULTS, &self.json(&told)?);
         let mut results = results.with_figure("run", &curves.figure(&name, &told.summary))?;
@@ -210,13 +208,13 @@ impl Run {
         if self.json {
             return self.json(told);
         }
-        let (scene, summary) = (legible(&self.scene.display().to_string()), &told.summary);
+        let (scene, summary) = (named(&self.scene), &told.summary);
         let laid = told.laid.as_ref().map_or_else(String::new, |laid| laid.text() + "\n");
         Ok(format!("{scene}\n{summary}\n{}{laid}", Hint::of(summary)))
     }
 
     fn json(&self, told: &Ended) -> Result<String, End> {
-        let scene = legible(&self.scene.display().to_string());
+        let scene = named(&self.scene);
         let json = match &told.laid {
             None => told.summary.to_json(&scene),
             Some(laid) => laid.to_json(&scene, &told.summary),

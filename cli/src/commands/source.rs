@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use indicatif::ProgressBar;
 
-use super::{BAR, End, shown};
+use super::{BAR, End, named, shown};
 
 /// Bytes that the reading thread hands over at once.
 const PIECE: usize = 1 << 16;
@@ -68,7 +68,7 @@ impl Source {
     /// A place without a file that can be read.
     fn named(path: &Path) -> Result<(Self, String), End> {
         let standard = path == Path::new("-");
-        let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
+        let name = if standard { "standard input".to_owned() } else { named(path) };
         let source = if standard { Self::standard_input() } else { Self::open(path) };
         Ok((source.map_err(|error| End::input(format!("{name}: {error}")))?, name))
     }

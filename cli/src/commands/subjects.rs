@@ -3,16 +3,16 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
+use lyapunov_lab::Scene;
 use lyapunov_lab::compare::{Compared, Names, RunError, Sheet, Subject, page};
 use lyapunov_lab::models::Model;
 use lyapunov_lab::teleoperation::Teleoperator;
-use lyapunov_lab::{Scene, legible};
 
 use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
 use super::left_out::LeftOut;
 use super::results::{self, Results};
-use super::{End, program, standard_output};
+use super::{End, named, program, standard_output};
 use crate::files::Inputs;
 
 /// Files to compare, each under the path as it was given.
@@ -27,7 +27,7 @@ impl Subjects {
     pub(super) fn load(paths: &[PathBuf], left_out: &mut LeftOut) -> Result<Self, End> {
         let (mut scenes, mut models, mut teleoperators) = (Vec::new(), Vec::new(), Vec::new());
         for path in paths {
-            let name = legible(&path.display().to_string());
+            let name = named(path);
             match left_out.unless(Subject::load(path).map_err(End::input))? {
                 Some(Subject::Scene(scene)) => scenes.push((name, *scene)),
                 Some(Subject::Model(model)) => models.push((name, *model)),

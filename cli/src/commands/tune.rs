@@ -7,13 +7,12 @@ use std::path::PathBuf;
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::family::{StabilizerName, StabilizerNames};
-use lyapunov_lab::legible;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, figure, page, table};
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, shown, standard_output};
+use super::{BAR, End, named, shown, standard_output};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -71,7 +70,7 @@ impl Tune {
         let folder = self.out.as_deref().map(claim).transpose()?;
         let Self { objective, trials, runs, seed, .. } = *self;
         let tuning = Tuning { objective, trials, runs, seed, ..Tuning::default() };
-        let name = legible(&self.scene.display().to_string());
+        let name = named(&self.scene);
         self.has_numbers(&name, &scene)?;
         let tuned = tune(&tuning, &name, &scene, &self.stabilizers, self.quiet)?;
         let text = document(&name, &tuning, &tuned).map_err(End::internal)?;

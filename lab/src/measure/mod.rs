@@ -27,6 +27,7 @@ pub(crate) mod teleoperation;
 pub(crate) mod timing;
 pub(crate) mod trace;
 pub(crate) mod verdict;
+pub(crate) mod watch;
 
 pub use balance::Balance;
 pub(crate) use chatter::Chatter;
@@ -43,3 +44,4 @@ pub(crate) use stiffness_felt::StiffnessFelt;
 pub(crate) use summary::Summary;
 pub(crate) use trace::Trace;
 pub(crate) use verdict::{Verdict, Yardstick};
+pub use watch::Watch;

@@ -5,8 +5,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use super::sample::shown;
-use super::stored;
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::stored;
 use crate::whole;
 
 on_any_axes! {
@@ -93,8 +93,7 @@ impl Correction {
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let (py, it) = (slf.py(), slf.get());
         let bytes = whatever_axes!(&it.0, AnyCorrection, it => stored::write(it)?);
-        let again = slf.get_type().getattr("_restored")?;
-        (again, (it.axes(), PyBytes::new(py, &bytes))).into_pyobject(py).map(Bound::into_any)
+        stored::again(slf, (it.axes(), PyBytes::new(py, &bytes)))
     }
 
     #[staticmethod]

@@ -2,6 +2,7 @@
 
 mod candidate;
 mod correction;
+mod deep_copy;
 mod limit;
 mod observer;
 mod python_stabilizer;
@@ -9,7 +10,6 @@ mod readings;
 mod recipe;
 mod sample;
 mod stabilizer;
-mod stored;
 
 pub(crate) use candidate::Candidate;
 pub(crate) use correction::{AnyCorrection, Correction};
@@ -24,13 +24,6 @@ pub(crate) use stabilizer::{AnyMember, Stabilizer};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-
-/// A deep copy of an object of Python.
-pub(crate) fn copied(object: &Bound<'_, PyAny>, memo: &Bound<'_, PyDict>) -> PyResult<Py<PyAny>> {
-    let copy = object.py().import("copy")?.call_method1("deepcopy", (object, memo))?;
-    Ok(copy.unbind())
-}
 
 /// What a method written in Python raised, kept until the call that it was part of is over.
 #[derive(Clone, Debug, Default)]

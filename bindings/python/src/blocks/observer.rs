@@ -4,9 +4,11 @@ use lyapunov::{Observer as Observing, Snapshot};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use super::{AnySample, Candidate, Raised, Recipe, Sample, copied, stored};
+use super::deep_copy::{Asking, deep_copy};
+use super::{AnySample, Candidate, Raised, Recipe, Sample};
 use crate::axes::{Axes, whatever_axes};
 use crate::errors;
+use crate::stored;
 
 type Inner = Observing<Candidate, lyapunov::Held, lyapunov::accumulators::Plain<f64>>;
 
@@ -49,34 +51,22 @@ impl Observer {
 
     /// A copy with the same memory.
     fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
-        let object = self.object.as_ref().map(|object| object.clone_ref(py));
-        Self::of(py, self.damping, object)?.remembering(self.energy, &self.memory()?)
+        self.copied(py)
     }
 
-    /// A copy with a copy of its candidate, which may hold the observer.
     fn __deepcopy__<'py>(
         slf: &Bound<'py, Self>,
         memo: &Bound<'py, PyDict>,
     ) -> PyResult<Bound<'py, Self>> {
-        let py = slf.py();
-        let copy = Bound::new(py, slf.try_borrow()?.__copy__(py)?)?;
-        memo.set_item(slf.as_ptr() as usize, &copy)?;
-        let this = slf.try_borrow()?;
-        if let Some(shared) = &this.object {
-            let own = copied(shared.bind(py), memo)?;
-            let made = Self::of(py, this.damping, Some(own))?;
-            *copy.try_borrow_mut()? = made.remembering(this.energy, &this.memory()?)?;
-        }
-        Ok(copy)
+        deep_copy(slf, memo)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let (py, this) = (slf.py(), slf.try_borrow()?);
         let memory = PyBytes::new(py, &this.memory()?);
-        let again = slf.get_type().getattr("_restored")?;
         let object = this.object.as_ref().map(|object| object.clone_ref(py));
         let parts = (this.damping, object, this.energy, memory);
-        (again, parts).into_pyobject(py).map(Bound::into_any)
+        stored::again(slf, parts)
     }
 
     #[staticmethod]
@@ -92,6 +82,24 @@ impl Observer {
 
     fn __repr__(&self) -> String {
         format!("Observer(observed_energy={:?})", self.energy)
+    }
+}
+
+impl Asking for Observer {
+    fn copied(&self, py: Python<'_>) -> PyResult<Self> {
+        let object = self.object.as_ref().map(|object| object.clone_ref(py));
+        Self::of(py, self.damping, object)?.remembering(self.energy, &self.memory()?)
+    }
+
+    fn asked(&self) -> Option<&Py<PyAny>> {
+        self.object.as_ref()
+    }
+
+    fn ask(&mut self, candidate: Py<PyAny>) -> PyResult<()> {
+        let memory = self.memory()?;
+        let made = Python::attach(|py| Self::of(py, self.damping, Some(candidate)))?;
+        *self = made.remembering(self.energy, &memory)?;
+        Ok(())
     }
 }
 

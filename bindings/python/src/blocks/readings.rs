@@ -5,9 +5,10 @@ use lyapunov::{CheckedSample, MovingReading, PortSample, Reading, Readings as Me
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::{Sample, stored};
+use super::Sample;
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
+use crate::stored;
 use crate::whole;
 
 /// The readings with each estimator of the velocity, with and without a clock.
@@ -153,9 +154,8 @@ impl Readings {
         let (py, this) = (slf.py(), slf.try_borrow()?);
         let Made { period, fastest, cutoff, measured, clocked } = this.made;
         let memory = PyBytes::new(py, &this.memory()?);
-        let again = slf.get_type().getattr("_restored")?;
         let made = (period, this.axes(), fastest, cutoff, measured, clocked);
-        (again, (made, memory)).into_pyobject(py).map(Bound::into_any)
+        stored::again(slf, (made, memory))
     }
 
     #[staticmethod]

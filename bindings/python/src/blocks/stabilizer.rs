@@ -5,15 +5,17 @@ use lyapunov::{Signal, Snapshot, Stabilizer as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use super::{Candidate, Correction, Raised, Recipe, Sample, copied, stored};
+use super::deep_copy::{Asking, deep_copy};
+use super::{Candidate, Correction, Raised, Recipe, Sample};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
+use crate::stored;
 use crate::whole;
 
 /// Member of the family with any candidate.
 type Made<V> = Member<V, Candidate>;
 
-/// What makes a correction of a sample and an effort.
+/// Maker of the correction of a sample and an effort.
 type Stabilize<'a, V> =
     dyn FnMut(&lyapunov::PortSample<V>, V) -> PyResult<lyapunov::Correction<V>> + 'a;
 
@@ -128,33 +130,22 @@ impl Stabilizer {
 
     /// A copy with the same memory.
     fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
-        let mut copy = Self::of(self.recipe.again(py), self.count())?;
-        copy.remember(&self.memory()?)?;
-        Ok(copy)
+        self.copied(py)
     }
 
-    /// A copy with a copy of its candidate, which may hold the stabilizer.
     fn __deepcopy__<'py>(
         slf: &Bound<'py, Self>,
         memo: &Bound<'py, PyDict>,
     ) -> PyResult<Bound<'py, Self>> {
-        let py = slf.py();
-        let copy = Bound::new(py, slf.try_borrow()?.__copy__(py)?)?;
-        memo.set_item(slf.as_ptr() as usize, &copy)?;
-        let shared = slf.try_borrow()?.recipe.object.as_ref().map(|it| it.clone_ref(py));
-        if let Some(own) = shared.map(|it| copied(it.bind(py), memo)).transpose()? {
-            copy.try_borrow_mut()?.ask(own)?;
-        }
-        Ok(copy)
+        deep_copy(slf, memo)
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let (py, this) = (slf.py(), slf.try_borrow()?);
         let arguments = this.recipe.arguments(py)?;
         let memory = PyBytes::new(py, &this.memory()?);
-        let again = slf.get_type().getattr("_restored")?;
         let parts = (this.recipe.name, this.count(), arguments, memory);
-        (again, parts).into_pyobject(py).map(Bound::into_any)
+        stored::again(slf, parts)
     }
 
     #[staticmethod]
@@ -178,13 +169,24 @@ impl Stabilizer {
     }
 }
 
-impl Stabilizer {
-    /// Takes another candidate in Python in place of the one that it has.
-    fn ask(&mut self, object: Py<PyAny>) -> PyResult<()> {
-        self.recipe.object = Some(object);
-        self.remember(&self.memory()?)
+impl Asking for Stabilizer {
+    fn copied(&self, py: Python<'_>) -> PyResult<Self> {
+        let mut copy = Self::of(self.recipe.again(py), self.count())?;
+        copy.remember(&self.memory()?)?;
+        Ok(copy)
     }
 
+    fn asked(&self) -> Option<&Py<PyAny>> {
+        self.recipe.object.as_ref()
+    }
+
+    fn ask(&mut self, candidate: Py<PyAny>) -> PyResult<()> {
+        self.recipe.object = Some(candidate);
+        self.remember(&self.memory()?)
+    }
+}
+
+impl Stabilizer {
     /// The memory as bytes that keep every bit.
     fn memory(&self) -> PyResult<Vec<u8>> {
         whatever_axes!(&self.member, AnyMember, it => stored::write(&it.state()))

@@ -15,11 +15,9 @@ pub(crate) fn explain(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told
     wait(py, None, 1, move |watched| {
         let watch = |_| watched.go_on();
         let explanation = in_space!(scene, Axes => Explanation::watched::<Axes>(&scene, &watch));
-        if watched.go_on().is_break() {
-            return Err(Fault::Stopped);
-        }
         let explanation =
             explanation.map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
+        let explanation = explanation.ok_or(Fault::Stopped)?;
         Ok(Told {
             json: explanation.to_json(&name).map_err(Fault::internal)?,
             text: format!("{name}\n{explanation}"),

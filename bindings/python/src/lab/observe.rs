@@ -6,11 +6,11 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use lyapunov_lab::observe::{
-    self as lab, Asked, Candidate, Columns as LogColumns, Contact, Contacts, Scale, Settings,
+    self as lab, Asked, Candidate, Columns as LogColumns, Scale, Settings,
 };
 use pyo3::prelude::*;
 
-use super::columns::{Column, Columns};
+use super::columns::Columns;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
@@ -74,26 +74,10 @@ pub(crate) fn observe(
                 .flatten()
                 .map(|figure| figure.to_svg())
                 .collect(),
-            columns: contacts(&observed.report.contacts),
+            columns: Columns::of_csv(&observed.csv(), &[])?,
             ..Told::default()
         })
     })
-}
-
-/// A row for each contact that is told, with the columns of observe.csv, also where there is none.
-fn contacts(found: &Contacts) -> Columns {
-    let column = |name: &str, of: fn(&Contact) -> f64| {
-        (name.to_owned(), Column::Numbers(found.worst.iter().map(of).collect()))
-    };
-    Columns(vec![
-        column("start", |it| it.start),
-        column("end", |it| it.end),
-        column("absorbed", |it| it.absorbed),
-        column("released", |it| it.released),
-        column("generated", |it| it.generated),
-        column("peak_force", |it| it.peak_force),
-        column("damping", |it| it.damping.unwrap_or(f64::NAN)),
-    ])
 }
 
 fn chosen(word: &str, damping: Option<f64>, surface: Option<f64>) -> PyResult<Candidate> {

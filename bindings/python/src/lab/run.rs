@@ -57,7 +57,10 @@ fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<To
     }
     match by {
         By::Scene => {
-            in_space!(scene, Own => drain(scene, name, Rollout::<Own>::of(scene).map_err(Fault::input)?, watched))
+            in_space!(scene, Own => {
+                let rollout = Rollout::<Own>::of(scene).map_err(Fault::input)?;
+                drain(scene, name, rollout, watched)
+            })
         }
         By::Name(who) => {
             who.check_axes(scene).map_err(Fault::input)?;
@@ -96,7 +99,7 @@ fn foreign<V: Space + Axes>(
     Ok(Rollout::stabilized_by(scene, made).map_err(Fault::input)?.called(name))
 }
 
-/// What an object is: a block with its numbers, or its class.
+/// The name of an object in reports: a block with its numbers, or its class.
 fn who(object: &Bound<'_, PyAny>) -> PyResult<String> {
     match object.cast::<Stabilizer>() {
         Ok(block) => Ok(block.repr()?.to_string()),

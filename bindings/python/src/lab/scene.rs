@@ -11,6 +11,7 @@ use pyo3::types::PyDict;
 
 use super::tables;
 use crate::errors;
+use crate::stored;
 
 /// A checked scene: a simulated loop, its duration and its stabilizer, in SI units.
 ///
@@ -88,9 +89,8 @@ impl Scene {
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         let this = slf.get();
-        let again = slf.get_type().getattr("_restored")?;
         let parts = (this.to_toml()?, this.name.clone(), this.motion());
-        (again, parts).into_pyobject(slf.py()).map(Bound::into_any)
+        stored::again(slf, parts)
     }
 
     #[staticmethod]

@@ -144,7 +144,7 @@ pub(crate) fn wait_here<T: Send>(
     })
 }
 
-/// What `work` does on the threads of `pool`.
+/// The result of `work` on the threads of `pool`.
 fn done_in<T: Send>(
     pool: &ThreadPool,
     watched: &Watched,

@@ -13,7 +13,7 @@ use lyapunov_lab::scene::Scene;
 use super::Hard;
 use crate::commands::folder::Folder;
 use crate::commands::results::Results;
-use crate::commands::{BAR, End, program, shown, standard_output};
+use crate::commands::{BAR, End, named, program, shown, standard_output};
 use crate::files::Inputs;
 
 /// The file of the scene that is found.
@@ -32,7 +32,7 @@ impl Hard {
     /// Holds the promises on a scene.
     pub(super) fn hold(&self, path: &Path) -> Result<(), End> {
         let scene = Scene::load(path).map_err(End::input)?;
-        let name = path.display();
+        let name = named(path);
         let scene = match self.stabilizer {
             None => scene,
             Some(member) if member.fits(&scene) => member
@@ -56,7 +56,7 @@ impl Hard {
 
     /// Sweeps every fault through every tick of a scene.
     fn faults(&self, path: &Path, scene: &Scene) -> Result<String, End> {
-        let name = path.display();
+        let name = named(path);
         let bar = match self.quiet {
             true => ProgressBar::hidden(),
             false => shown(ProgressBar::new(SPACING), BAR),

@@ -13,6 +13,7 @@ use crate::measure::law::{Law, Motion};
 use crate::measure::linear::LinearPart;
 use crate::measure::sanity::{Oddity, RunSigns};
 use crate::measure::verdict::{Verdict, Yardstick};
+use crate::measure::watch::Watch;
 use crate::simulate::{Rollout, Space};
 
 /// Past this, m and m/s, squares soon leave the range of the numbers.
@@ -55,7 +56,7 @@ impl Trial {
     pub(crate) fn along<V: Space>(
         scene: &Scene,
         rollout: Rollout<V>,
-        watch: &dyn Fn(u64) -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Result<Self, ParameterError> {
         let (mut fate, mut signs) = (Fate::of(scene), RunSigns::new(scene));
         let mut account = Account::<V::Double>::new::<V>(scene, Body::of(scene)?);
@@ -88,11 +89,9 @@ impl Trial {
         Ok(Self { verdict, verdict_by, whole, first, moved, feel, look_at })
     }
 
-    /// Runs `scene`, reporting to `watch`; none if the run grows, or if the loop is linear, has no stabilizer and does not decay in contact.
-    pub(crate) fn that_holds<V: Space>(
-        scene: &Scene,
-        watch: &dyn Fn(u64) -> ControlFlow<()>,
-    ) -> Option<Self> {
+    /// Runs `scene`, reporting to `watch`; none if the run grows, or if the loop is linear, has no stabilizer and does not
+    /// decay in contact.
+    pub(crate) fn that_holds<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Self> {
         let decays = scene.stabilizer.is_some()
             || LinearPart::of(scene).is_ok_and(|part| part.spectral_radius() < 1.0)
             || LinearPart::of(scene).is_err();
@@ -114,7 +113,7 @@ impl Balance {
     pub fn along<V: Space>(
         scene: &Scene,
         rollout: Rollout<V>,
-        watch: &dyn Fn(u64) -> ControlFlow<()>,
+        watch: &Watch<'_>,
     ) -> Result<Self, ParameterError> {
         Trial::along(scene, rollout, watch).map(|trial| trial.whole)
     }

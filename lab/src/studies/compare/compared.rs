@@ -6,13 +6,11 @@ use std::ops::ControlFlow;
 use lyapunov::ParameterError;
 
 use super::sheet::Sheet;
+pub use crate::measure::Watch;
 use crate::text::names::{Named, Names};
 
 /// Ticks between two reports of progress.
 pub(super) const BREATH: u64 = 1 << 14;
-
-/// Callback that learns from time to time how many more ticks are done, and says whether to go on.
-pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + 'a;
 
 /// Results of all entrants on one file that is not a scene.
 pub trait Compared: Sized {

@@ -16,14 +16,11 @@ use crate::files::Scene;
 use crate::measure::{Limits, Oddity, Verdict, Yardstick};
 use crate::simulate::{Rollout, Space};
 
-pub use crate::measure::Balance;
 use crate::measure::balance::Trial;
+pub use crate::measure::{Balance, Watch};
 pub use groups::DimensionlessGroups;
 pub use hint::Hint;
 pub use remedy::{Change, Remedy};
-
-/// Callback that learns how many more ticks are done, and says whether to go on.
-pub type Watch<'a> = dyn Fn(u64) -> ControlFlow<()> + 'a;
 
 /// Reasons why the run of a scene settles, swings or grows; its `Display` is the output of `lyapunov explain`.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,15 +53,23 @@ impl Explanation {
     /// # Errors
     /// A loop that cannot be made.
     pub fn of<V: Space>(scene: &Scene) -> Result<Self, ParameterError> {
-        Self::watched::<V>(scene, &|_| ControlFlow::Continue(()))
+        Self::along::<V>(scene, &|_| ControlFlow::Continue(()))
     }
 
-    /// The same; `watch` learns from time to time how many more ticks are done, and where it breaks every run ends early and
-    /// nothing that is told is worth anything.
+    /// The same; `watch` learns from time to time how many more ticks are done. None where it breaks, and soon.
     ///
     /// # Errors
     /// A loop that cannot be made.
-    pub fn watched<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Self, ParameterError> {
+    pub fn watched<V: Space>(
+        scene: &Scene,
+        watch: &Watch<'_>,
+    ) -> Result<Option<Self>, ParameterError> {
+        let explanation = Self::along::<V>(scene, watch)?;
+        Ok(watch(0).is_continue().then_some(explanation))
+    }
+
+    /// The same, of what ran until `watch` broke.
+    fn along<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Self, ParameterError> {
         let trial = Trial::along(scene, Rollout::<V>::of(scene)?, watch)?;
         let limits = Limits::of(scene);
         let is_unstable =

@@ -4,7 +4,7 @@ use maud::html;
 
 use super::Observed;
 use crate::show::beside::beside;
-use crate::show::csv;
+use crate::show::csv::{self, Field};
 use crate::show::html;
 use crate::show::labelled::labelled;
 
@@ -51,6 +51,11 @@ impl Observed {
 
     /// The contacts of the table as comma-separated values, in SI units.
     pub fn csv(&self) -> String {
-        csv::records(&self.report.contacts.worst)
+        let names = ["start", "end", "absorbed", "released", "generated", "peak_force", "damping"];
+        let contacts = self.report.contacts.worst.iter().map(|it| {
+            let known = [it.start, it.end, it.absorbed, it.released, it.generated, it.peak_force];
+            known.map(Field::Number).into_iter().chain([it.damping.into()])
+        });
+        csv::text(names, contacts)
     }
 }

@@ -10,55 +10,17 @@ use rayon::prelude::*;
 
 use super::batch::Batch;
 use super::meter::Watch;
+use super::numbers::Numbers;
 use super::parts::{Accounted, Bodies};
 use super::port::StabilizedWall;
 use super::rollout::{Loop, STRETCH};
-use super::sure::{MODERATE, PERIODS};
+use super::sure::PERIODS;
 #[cfg(target_arch = "x86_64")]
 use super::{F64s, JUDGED, Proven, V3, V4};
 use crate::simulate::{F64x8, Instructions};
 
 /// Ticks between two questions whether to go on, whole stretches.
 const SLICE: u64 = STRETCH << 10;
-
-/// A number of all loops, or one for each.
-#[derive(Clone, Copy, Debug)]
-pub enum Numbers<'a> {
-    /// The same for all.
-    All(f64),
-    /// One for each.
-    Each(&'a [f64]),
-}
-
-impl Numbers<'_> {
-    /// The numbers of the loops from `first` on; lanes beyond the last loop repeat it.
-    fn lanes<T: Scalar>(self, first: usize) -> T {
-        match self {
-            Self::All(number) => T::of(number),
-            Self::Each(numbers) => T::from_lanes(|lane| {
-                let number = numbers.get(first + lane).or(numbers.last());
-                number.copied().unwrap_or(f64::NAN)
-            }),
-        }
-    }
-
-    /// The first that is not finite.
-    fn infinite(self) -> Option<f64> {
-        match self {
-            Self::All(number) => Some(number).filter(|it| !it.is_finite()),
-            Self::Each(numbers) => numbers.iter().copied().find(|it| !it.is_finite()),
-        }
-    }
-
-    /// Whether all of them are [moderate](super::sure).
-    fn are_moderate(self) -> bool {
-        let is_moderate = |number: &f64| number.abs() <= MODERATE;
-        match self {
-            Self::All(number) => is_moderate(&number),
-            Self::Each(numbers) => numbers.iter().all(is_moderate),
-        }
-    }
-}
 
 /// Whether to go on.
 pub type GoOn<'a> = dyn Fn() -> bool + Sync + 'a;

@@ -10,6 +10,7 @@ mod batch;
 mod field;
 mod loops;
 mod meter;
+mod numbers;
 mod parts;
 mod port;
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
@@ -44,8 +45,9 @@ use crate::simulate::family::{BasicName, Settings};
 use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
 use batch::Batch;
-pub use loops::{Ends, GoOn, Loops, Numbers, Recipe};
+pub use loops::{Ends, GoOn, Loops, Recipe};
 use meter::{Everything, Meter, Verdicts};
+pub use numbers::Numbers;
 use parts::Laned;
 #[cfg(target_arch = "x86_64")]
 use proven::Proven;
