@@ -134,6 +134,17 @@ fn errors_quote_little_and_nothing_that_controls_the_terminal() {
 }
 
 #[test]
+fn a_name_that_controls_the_terminal_is_shown_without() {
+    let place = Place::with_scene();
+    place.put("\u{1b}[31m.toml", place.text("scene.toml"));
+    for command in ["run", "compare", "explain", "bound"] {
+        let said = place.run([command, "\u{1b}[31m.toml"]);
+        assert!(said.out.contains("[31m.toml"), "{said:?}");
+        assert!(!said.out.contains('\u{1b}'), "{said:?}");
+    }
+}
+
+#[test]
 fn a_range_error_of_accuracy_names_file_and_key() {
     let place = Place::new();
     let scene = |damping: &str, stiffness: &str| {

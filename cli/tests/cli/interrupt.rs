@@ -86,18 +86,20 @@ fn an_interrupted_study_leaves_no_folder() {
 }
 
 #[test]
-fn an_interrupted_study_of_accuracy_removes_its_folder() {
-    let place = long();
-    let before = place.contents();
-    let command = ["accuracy", "scene.toml", "--out", "results"];
-    let child = place.command(command).start(Stdio::piped());
-    let start = Instant::now();
-    while !place.path("results").is_dir() {
-        assert!(start.elapsed() < Duration::from_secs(30), "no folder appears");
-        thread::sleep(Duration::from_millis(2));
+fn an_interrupted_study_of_a_scene_removes_its_folder() {
+    for study in ["accuracy", "explain"] {
+        let place = long();
+        let before = place.contents();
+        let command = [study, "scene.toml", "--out", "results"];
+        let child = place.command(command).start(Stdio::piped());
+        let start = Instant::now();
+        while !place.path("results").is_dir() {
+            assert!(start.elapsed() < Duration::from_secs(30), "no folder appears");
+            thread::sleep(Duration::from_millis(2));
+        }
+        interrupted(child);
+        assert_eq!(place.contents(), before);
     }
-    interrupted(child);
-    assert_eq!(place.contents(), before);
 }
 
 /// The pipe is full and nobody reads it: the run is blocked in a write that no signal ends.
