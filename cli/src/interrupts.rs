@@ -71,6 +71,8 @@ mod system {
                 heeded.add(signal);
             }
         }
+        // A file that reaches the limit of its size is then told by the call that writes, as any other error.
+        let _ = SigSet::from(Signal::SIGXFSZ).thread_block();
         // Every thread that is started later inherits what is blocked, so that the one below gets the signals.
         if heeded.thread_block().is_err() {
             return;

@@ -112,9 +112,20 @@ pub(crate) fn run(own: &[&str], words: Vec<OsString>) -> u8 {
     }
     // One command is run in a process.
     let words = WORDS.get_or_init(|| words);
-    match Command::from_arg_matches(&command.clone().get_matches_from(words)) {
+    let asked = command.clone().try_get_matches_from(words).and_then(|words| {
+        Command::from_arg_matches(&words).map_err(|error| error.format(&mut command))
+    });
+    match asked {
         Ok(asked) => asked.run(),
-        Err(error) => error.format(&mut command).exit(),
+        Err(error) => answer(&error),
+    }
+}
+
+/// Prints the help that is asked for, or what is wrong with the words, and returns the exit status.
+fn answer(error: &clap::Error) -> u8 {
+    match error.print() {
+        Err(unprinted) if !error.use_stderr() => standard_output(unprinted).report(),
+        _ => u8::try_from(error.exit_code()).unwrap_or(2),
     }
 }
 

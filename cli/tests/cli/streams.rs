@@ -67,7 +67,13 @@ fn a_reader_gone_before_the_summary_costs_no_rows() {
 fn a_full_standard_output_is_reported() {
     let place = Place::with_scene();
     let before = place.contents();
-    for arguments in [&["run", "scene.toml", "--csv", "-"][..], &["run", "scene.toml"]] {
+    for arguments in [
+        &["run", "scene.toml", "--csv", "-"][..],
+        &["run", "scene.toml"],
+        &["--help"],
+        &["map", "--help"],
+        &["--version"],
+    ] {
         let said = Said::by_child(place.command(arguments).start(full()));
         said.ended(2, &["standard output cannot be written: no space is left there"]);
         assert_eq!(place.contents(), before);
