@@ -1,6 +1,5 @@
 //! The command `lyapunov accuracy`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, names};
-use super::{BAR, End, named, program, shown, standard_output};
+use super::{BAR, End, named, print, program, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -57,17 +56,11 @@ impl Accuracy {
         if let Some(folder) = folder {
             self.fill(&folder, &study, target, &text)?;
         }
-        let mut out = io::stdout().lock();
-        if self.json {
-            return out.write_all(text.as_bytes()).map_err(standard_output);
-        }
-        if self.quiet {
-            return Ok(());
-        }
-        write!(out, "{study}").map_err(standard_output)?;
-        match target {
-            None => Ok(()),
-            Some(metres) => write!(out, "\n{}", study.advice(metres)).map_err(standard_output),
+        match (self.json, self.quiet, target) {
+            (true, ..) => print(text),
+            (_, true, _) => Ok(()),
+            (.., None) => print(study),
+            (.., Some(metres)) => print(format_args!("{study}\n{}", study.advice(metres))),
         }
     }
 

@@ -1,6 +1,5 @@
 //! The command `lyapunov effects`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, shown, standard_output};
+use super::{BAR, End, named, print, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -66,14 +65,11 @@ impl Effects {
             let results = results.with_figure("effects", &costs.figure())?;
             folder.fill(results.with_file("effects.csv", costs.csv()))?;
         }
-        if self.quiet {
-            return Ok(());
+        match (self.json, self.quiet) {
+            (true, _) => print(json),
+            (_, true) => Ok(()),
+            _ => print(costs),
         }
-        let text = match self.json {
-            true => json,
-            false => costs.to_string(),
-        };
-        io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
     }
 
     /// End for an error: of a scene that was given, bad input.

@@ -2,7 +2,6 @@
 
 mod soak;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -13,7 +12,7 @@ use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
 use super::results::{Results, names};
-use super::{BAR, End, program, shown, standard_output};
+use super::{BAR, End, print, program, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -96,8 +95,7 @@ impl Hard {
             folder.fill(results.with_file("hard.csv", catalogue.csv()))?;
         }
         if !self.quiet {
-            let shown = if self.json { text } else { catalogue.to_string() };
-            io::stdout().lock().write_all(shown.as_bytes()).map_err(standard_output)?;
+            print(if self.json { text } else { catalogue.to_string() })?;
         }
         let failed = catalogue.rows.iter().filter(|row| !row.passed).count();
         if failed == 0 { Ok(()) } else { Err(End::Failed(format!("{failed} hard cases failed"))) }

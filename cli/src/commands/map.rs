@@ -1,7 +1,6 @@
 //! The command `lyapunov map`.
 
 use std::fmt::Write as _;
-use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +17,7 @@ use rayon::prelude::*;
 use super::folder::Folder;
 use super::merge::Merge;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, program, shown, standard_output};
+use super::{BAR, End, named, print, program, shown};
 use crate::files::{Inputs, Output, Outputs};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
@@ -207,12 +206,11 @@ impl Map {
             let results = results.with_figure("verdicts", &sweep.verdicts())?;
             folder.fill(results.with_figure("sweep", &sweep.curves())?)?;
         }
-        let said = match (self.json, self.quiet) {
-            (true, _) => text,
-            (_, true) => return Ok(()),
-            _ => sweep.to_string(),
-        };
-        io::stdout().lock().write_all(said.as_bytes()).map_err(standard_output)
+        match (self.json, self.quiet) {
+            (true, _) => print(text),
+            (_, true) => Ok(()),
+            _ => print(sweep),
+        }
     }
 
     fn compute(
@@ -279,9 +277,8 @@ impl Map {
         computation: &Computation,
         text: &str,
     ) -> Result<(), End> {
-        let mut out = io::stdout().lock();
         if self.json {
-            return out.write_all(text.as_bytes()).map_err(standard_output);
+            return print(text);
         }
         if self.quiet {
             return Ok(());
@@ -304,7 +301,7 @@ impl Map {
             }
         };
         let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
-        out.write_all(said.as_bytes()).map_err(standard_output)
+        print(said)
     }
 }
 

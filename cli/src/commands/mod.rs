@@ -153,6 +153,11 @@ pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
+/// Prints a result on standard output.
+pub(crate) fn print(text: impl Display) -> Result<(), End> {
+    io::stdout().lock().write_all(text.to_string().as_bytes()).map_err(standard_output)
+}
+
 /// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.
 ///
 /// Names and texts of others may be part of it, so that nothing in it controls the terminal.

@@ -1,7 +1,6 @@
 //! The command `lyapunov tune`.
 
 use std::fmt::Write as _;
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,7 +11,7 @@ use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, fig
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, shown, standard_output};
+use super::{BAR, End, named, print, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -84,20 +83,18 @@ impl Tune {
             }
             folder.fill(results)?;
         }
-        let mut out = io::stdout().lock();
-        let said = match (self.json, self.quiet) {
-            (true, _) => text,
-            (_, true) => return Ok(()),
+        match (self.json, self.quiet) {
+            (true, _) => print(text),
+            (_, true) => Ok(()),
             _ => {
                 let mut said = table(&name, &tuning, &tuned);
                 if let Some(best) = Tuned::best(&tuned) {
                     let scene = best.text().map_err(End::internal)?;
                     let _ = write!(said, "\nThe scene with {}, tuned:\n\n{scene}", best.name);
                 }
-                said
+                print(said)
             }
-        };
-        out.write_all(said.as_bytes()).map_err(standard_output)
+        }
     }
 }
 
