@@ -77,10 +77,7 @@ impl Accuracy {
     }
 
     fn study(&self, scene: &Scene) -> Result<Study, End> {
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(PARTS as u64), BAR),
-        };
+        let bar = shown(ProgressBar::new(PARTS as u64), BAR, self.quiet);
         let watch = |share: f64| {
             bar.set_position((share * PARTS) as u64);
             End::go_on()

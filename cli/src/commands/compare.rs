@@ -176,10 +176,7 @@ impl Compare {
 
     /// Progress bar, hidden for a short comparison.
     pub(super) fn progress(&self, ticks: u64) -> ProgressBar {
-        if self.quiet || ticks < LONG {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(ticks), BAR)
+        shown(ProgressBar::new(ticks), BAR, self.quiet || ticks < LONG)
     }
 
     fn meet<V: Space>(

@@ -48,7 +48,9 @@ impl Effects {
         let files = names(RESULTS, ["effects"], ["effects.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = self.progress(scene.as_ref())?;
+        let loops = scene.as_ref().map_or_else(Costs::loops, Costs::loops_of);
+        let loops = loops.map_err(|error| self.blame(error))?;
+        let bar = shown(ProgressBar::new(loops as u64), BAR, self.quiet);
         let watch = || {
             bar.inc(1);
             End::go_on()
@@ -79,14 +81,5 @@ impl Effects {
             (error, Some(path)) => End::input(format!("{}: {error}", named(path))),
             (error, None) => End::internal(error),
         }
-    }
-
-    fn progress(&self, scene: Option<&Scene>) -> Result<ProgressBar, End> {
-        if self.quiet {
-            return Ok(ProgressBar::hidden());
-        }
-        let loops = scene.map_or_else(Costs::loops, Costs::loops_of);
-        let loops = loops.map_err(|error| self.blame(error))?;
-        Ok(shown(ProgressBar::new(loops as u64), BAR))
     }
 }

@@ -78,7 +78,7 @@ impl Hard {
         let files = names(RESULTS, [""; 0], ["hard.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = self.progress();
+        let bar = shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR, self.quiet);
         let watch = || {
             bar.inc(1);
             End::go_on()
@@ -105,12 +105,5 @@ impl Hard {
         let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
         let named = named.unwrap_or_default();
         format!("{} hard{named} --out {}", program(), folder.path().display())
-    }
-
-    fn progress(&self) -> ProgressBar {
-        if self.quiet {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR)
     }
 }

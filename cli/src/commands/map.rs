@@ -184,10 +184,7 @@ impl Map {
         let files = names(SWEEP, ["verdicts", "sweep"], ["sweep.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(plan.ticks()), BAR),
-        };
+        let bar = shown(ProgressBar::new(plan.ticks()), BAR, self.quiet);
         let watch = |ticks| {
             bar.inc(ticks);
             End::go_on()
@@ -223,11 +220,7 @@ impl Map {
     ) -> Result<lyapunov_lab::map::Workload, End> {
         let cells = shard.cells(grid.cells());
         let first = checkpoint.as_ref().map_or(cells.start, Checkpoint::next);
-        let bar = if self.quiet {
-            ProgressBar::hidden()
-        } else {
-            shown(ProgressBar::new(cells.end - cells.start), MAP_BAR)
-        };
+        let bar = shown(ProgressBar::new(cells.end - cells.start), MAP_BAR, self.quiet);
         bar.set_position(first - cells.start);
         bar.reset_eta();
         let go_on = || End::if_interrupted().is_ok();

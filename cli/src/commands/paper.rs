@@ -57,7 +57,7 @@ impl Paper {
         let rows = Case::ALL.map(|case| format!("{}.csv", case.name()));
         let files = names("claims.json", FIGURES, rows);
         let folder = Folder::claim(&self.out, files, &Inputs::default())?;
-        let bar = self.progress();
+        let bar = shown(ProgressBar::new(Study::STAGES as u64), BAR, self.quiet);
         let draws = Draws { count: self.draws, seed: self.seed };
         let study = studied(draws, bar.clone())?;
         bar.finish_and_clear();
@@ -87,13 +87,6 @@ impl Paper {
             words += &format!(" --seed {}", self.seed);
         }
         words
-    }
-
-    fn progress(&self) -> ProgressBar {
-        if self.quiet {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(Study::STAGES as u64), BAR)
     }
 }
 

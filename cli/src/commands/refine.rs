@@ -23,10 +23,7 @@ impl Map {
         let files = names(RESULTS, ["edge"], ["judged.csv"]);
         let claim = |path| Folder::claim(path, &files, &inputs);
         let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::no_length(), BAR),
-        };
+        let bar = shown(ProgressBar::no_length(), BAR, self.quiet);
         let watch = |judged| {
             bar.inc(judged);
             End::if_interrupted().is_ok()

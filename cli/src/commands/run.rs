@@ -224,10 +224,8 @@ impl Run {
 
     /// Progress bar, hidden for a short run.
     fn progress(&self, scene: &Scene) -> ProgressBar {
-        if self.quiet || scene.ticks() < 50 * BREATH {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(scene.ticks()), BAR)
+        let short = scene.ticks() < 50 * BREATH;
+        shown(ProgressBar::new(scene.ticks()), BAR, self.quiet || short)
     }
 }
 

@@ -125,10 +125,7 @@ pub(super) fn tune(
 ) -> Result<Vec<Tuned>, End> {
     let names = names.on(scene);
     let runs = names.iter().count() as u64 * tuning.rollouts();
-    let bar = match quiet {
-        true => ProgressBar::hidden(),
-        false => shown(ProgressBar::new(runs), BAR),
-    };
+    let bar = shown(ProgressBar::new(runs), BAR, quiet);
     let watch = |runs| {
         bar.inc(runs);
         End::go_on()

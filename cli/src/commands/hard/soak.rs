@@ -56,10 +56,7 @@ impl Hard {
     /// Sweeps every fault through every tick of a scene.
     fn faults(&self, path: &Path, scene: &Scene) -> Result<String, End> {
         let name = named(path);
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(SPACING), BAR),
-        };
+        let bar = shown(ProgressBar::new(SPACING), BAR, self.quiet);
         let (mut faults, mut recovery) = (0, 0);
         for first in 0..SPACING {
             End::if_interrupted()?;
@@ -89,10 +86,7 @@ impl Hard {
         let out = self.out.as_deref().unwrap_or(Path::new("."));
         let folder = Folder::claim(out, [FOUND], &Inputs::default())?;
         let (start, length) = (Instant::now(), span.as_millis() as u64);
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(length), BAR),
-        };
+        let bar = shown(ProgressBar::new(length), BAR, self.quiet);
         let soaked = soak.run(&mut |_| {
             let spent = start.elapsed();
             bar.set_position(length.min(spent.as_millis() as u64));
