@@ -49,8 +49,7 @@ impl Accuracy {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let inputs = Inputs::scene(&self.scene, &scene);
         let files = names(RESULTS, ["accuracy"], ["accuracy.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let study = self.study(&scene)?;
         let text = study.document(target).map_err(End::internal)?;
         if let Some(folder) = folder {

@@ -42,8 +42,7 @@ impl Bound {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let inputs = Inputs::scene(&self.scene, &scene);
         let files = names(RESULTS, ["bound"], ["bound.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let limits = Limits::of(&scene);
         let name = named(&self.scene);
         let json = limits.to_json(&name).map_err(End::internal)?;

@@ -46,8 +46,7 @@ impl Effects {
             _ => Inputs::default(),
         };
         let files = names(RESULTS, ["effects"], ["effects.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let loops = scene.as_ref().map_or_else(Costs::loops, Costs::loops_of);
         let loops = loops.map_err(|error| self.blame(error))?;
         let bar = shown(ProgressBar::new(loops as u64), BAR, self.quiet);

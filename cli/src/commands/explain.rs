@@ -41,8 +41,7 @@ impl Explain {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let inputs = Inputs::scene(&self.scene, &scene);
         let files = names(RESULTS, ["explain"], ["explain.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let watch = |_| End::go_on();
         let explanation = in_space!(scene, Axes => Explanation::watched::<Axes>(&scene, &watch));
         let name = named(&self.scene);

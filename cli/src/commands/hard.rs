@@ -74,10 +74,8 @@ impl Hard {
     }
 
     fn catalogue(&self) -> Result<(), End> {
-        let inputs = Inputs::default();
         let files = names(RESULTS, [""; 0], ["hard.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &Inputs::default())?;
         let bar = shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR, self.quiet);
         let watch = || {
             bar.inc(1);

@@ -51,8 +51,7 @@ impl Identify {
         let settings = Settings { columns: self.columns.clone(), scales: self.scale.clone() };
         let inputs = Inputs::of("the log", [&self.log]);
         let files = names(RESULTS, ["identify"], ["identify.toml", "identify.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let identified = Source::read_by(&self.log, self.quiet, |log, name| {
             identify::identify(log, name, &settings)
         })?;

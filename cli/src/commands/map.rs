@@ -182,8 +182,7 @@ impl Map {
         let plan = SweepPlan::new(&name, scene, x.clone(), stabilizers);
         let plan = plan.map_err(|error| self.blame(error))?;
         let files = names(SWEEP, ["verdicts", "sweep"], ["sweep.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let bar = shown(ProgressBar::new(plan.ticks()), BAR, self.quiet);
         let watch = |ticks| {
             bar.inc(ticks);

@@ -96,8 +96,7 @@ impl Observe {
                 ["stabilizers.csv", "stabilizers.svg", "stabilizers.png"].map(str::to_owned),
             );
         }
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let observed = Source::read_by(&self.log, self.quiet, |log, name| {
             observe::observe(log, name, &settings)
         })?;

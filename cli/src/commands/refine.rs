@@ -21,8 +21,7 @@ impl Map {
     pub(super) fn refine(&self, grid: &Grid, run: &Run<'_>) -> Result<(), End> {
         let inputs = Inputs::scene(self.scene.as_deref().unwrap_or(Path::new("")), &grid.scene);
         let files = names(RESULTS, ["edge"], ["judged.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let bar = shown(ProgressBar::no_length(), BAR, self.quiet);
         let watch = |judged| {
             bar.inc(judged);

@@ -70,8 +70,7 @@ pub(super) fn run<C: Compared>(
     let files_of = names(files.iter().map(|(name, _)| &name[..]));
     let rows = files_of.iter().map(|name| format!("{name}.csv"));
     let outputs = results::names(RESULTS, &files_of, rows);
-    let claim = |path| Folder::claim(path, &outputs, &inputs);
-    let folder = asked.out.as_deref().map(claim).transpose()?;
+    let folder = Folder::asked(asked.out.as_deref(), outputs, &inputs)?;
     let ticks: u64 = files.iter().map(|(_, file)| C::ticks(file)).sum();
     let bar = asked.progress(ticks * entrants.len() as u64);
     let watch = |ticks| {

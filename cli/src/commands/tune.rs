@@ -65,8 +65,7 @@ impl Tune {
         let tuned =
             self.stabilizers.on(&scene).iter().map(|one| format!("{one}.toml")).collect::<Vec<_>>();
         let files = names(RESULTS, ["tune"], tuned.iter().map(String::as_str).chain(["tune.csv"]));
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let Self { objective, trials, runs, seed, .. } = *self;
         let tuning = Tuning { objective, trials, runs, seed, ..Tuning::default() };
         let name = named(&self.scene);
