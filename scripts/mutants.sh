@@ -20,7 +20,7 @@ steps=('stabilizers/src/**/*.rs')
 tests_of() {
     case $1 in
     lyapunov-core/*) echo lyapunov-core sums ;;
-    stabilizers/*) echo lyapunov-slim steps ;;
+    stabilizers/*) echo lyapunov-steps steps ;;
     *) echo "no cheap test covers $1" >&2 && return 2 ;;
     esac
 }

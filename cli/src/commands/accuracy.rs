@@ -1,6 +1,5 @@
 //! The command `lyapunov accuracy`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, names};
-use super::{BAR, End, named, program, shown, standard_output};
+use super::{BAR, End, named, print, program, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -50,24 +49,17 @@ impl Accuracy {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let inputs = Inputs::scene(&self.scene, &scene);
         let files = names(RESULTS, ["accuracy"], ["accuracy.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let study = self.study(&scene)?;
         let text = study.document(target).map_err(End::internal)?;
         if let Some(folder) = folder {
             self.fill(&folder, &study, target, &text)?;
         }
-        let mut out = io::stdout().lock();
-        if self.json {
-            return out.write_all(text.as_bytes()).map_err(standard_output);
-        }
-        if self.quiet {
-            return Ok(());
-        }
-        write!(out, "{study}").map_err(standard_output)?;
-        match target {
-            None => Ok(()),
-            Some(metres) => write!(out, "\n{}", study.advice(metres)).map_err(standard_output),
+        match (self.json, self.quiet, target) {
+            (true, ..) => print(text),
+            (_, true, _) => Ok(()),
+            (.., None) => print(study),
+            (.., Some(metres)) => print(format_args!("{study}\n{}", study.advice(metres))),
         }
     }
 
@@ -84,10 +76,7 @@ impl Accuracy {
     }
 
     fn study(&self, scene: &Scene) -> Result<Study, End> {
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(PARTS as u64), BAR),
-        };
+        let bar = shown(ProgressBar::new(PARTS as u64), BAR, self.quiet);
         let watch = |share: f64| {
             bar.set_position((share * PARTS) as u64);
             End::go_on()

@@ -1,6 +1,5 @@
 //! The command `lyapunov bound`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -9,7 +8,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{End, named, standard_output};
+use super::{End, named, print};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -43,8 +42,7 @@ impl Bound {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let inputs = Inputs::scene(&self.scene, &scene);
         let files = names(RESULTS, ["bound"], ["bound.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let limits = Limits::of(&scene);
         let name = named(&self.scene);
         let json = limits.to_json(&name).map_err(End::internal)?;
@@ -58,11 +56,10 @@ impl Bound {
             }
             folder.fill(results)?;
         }
-        let text = match (self.json, self.quiet) {
-            (true, _) => json,
-            (_, true) => return Ok(()),
-            _ => format!("{name}\n{limits}"),
-        };
-        io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
+        match (self.json, self.quiet) {
+            (true, _) => print(json),
+            (_, true) => Ok(()),
+            _ => print(format_args!("{name}\n{limits}")),
+        }
     }
 }

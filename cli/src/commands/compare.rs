@@ -1,7 +1,6 @@
 //! The command `lyapunov compare` of scenes.
 
 use std::fmt::Display;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -21,7 +20,7 @@ use super::left_out::LeftOut;
 use super::results::{self, Results, command_line};
 use super::subjects::{self, Subjects};
 use super::tune::tune;
-use super::{BAR, End, shown, standard_output};
+use super::{BAR, End, print, shown};
 use crate::files::Inputs;
 
 /// Ticks in all from which on a progress bar is worth showing.
@@ -113,20 +112,16 @@ impl Compare {
     }
 
     fn tell(&self, comparisons: &[Comparison], text: &str) -> Result<(), End> {
-        let mut out = io::stdout().lock();
-        if self.json {
-            return out.write_all(text.as_bytes()).map_err(standard_output);
+        let mut said: Vec<String> = comparisons.iter().map(ToString::to_string).collect();
+        let broken = Broken::of(comparisons);
+        if comparisons.len() > 1 && !broken.is_empty() {
+            said.push(broken.to_string());
         }
-        let shown = if self.quiet { &[][..] } else { comparisons };
-        for (index, comparison) in shown.iter().enumerate() {
-            let gap = if index == 0 { "" } else { "\n" };
-            write!(out, "{gap}{comparison}").map_err(standard_output)?;
+        match (self.json, self.quiet) {
+            (true, _) => print(text),
+            (_, true) => Ok(()),
+            _ => print(said.join("\n")),
         }
-        let broken = Broken::of(shown);
-        if shown.len() > 1 && !broken.is_empty() {
-            write!(out, "\n{broken}").map_err(standard_output)?;
-        }
-        Ok(())
     }
 
     /// The entrants that are named, if any: the kind of file says who has a name.
@@ -181,10 +176,7 @@ impl Compare {
 
     /// Progress bar, hidden for a short comparison.
     pub(super) fn progress(&self, ticks: u64) -> ProgressBar {
-        if self.quiet || ticks < LONG {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(ticks), BAR)
+        shown(ProgressBar::new(ticks), BAR, self.quiet || ticks < LONG)
     }
 
     fn meet<V: Space>(

@@ -1,6 +1,5 @@
 //! The command `lyapunov effects`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, shown, standard_output};
+use super::{BAR, End, named, print, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -47,9 +46,10 @@ impl Effects {
             _ => Inputs::default(),
         };
         let files = names(RESULTS, ["effects"], ["effects.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = self.progress(scene.as_ref())?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
+        let loops = scene.as_ref().map_or_else(Costs::loops, Costs::loops_of);
+        let loops = loops.map_err(|error| self.blame(error))?;
+        let bar = shown(ProgressBar::new(loops as u64), BAR, self.quiet);
         let watch = || {
             bar.inc(1);
             End::go_on()
@@ -66,14 +66,11 @@ impl Effects {
             let results = results.with_figure("effects", &costs.figure())?;
             folder.fill(results.with_file("effects.csv", costs.csv()))?;
         }
-        if self.quiet {
-            return Ok(());
+        match (self.json, self.quiet) {
+            (true, _) => print(json),
+            (_, true) => Ok(()),
+            _ => print(costs),
         }
-        let text = match self.json {
-            true => json,
-            false => costs.to_string(),
-        };
-        io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
     }
 
     /// End for an error: of a scene that was given, bad input.
@@ -83,14 +80,5 @@ impl Effects {
             (error, Some(path)) => End::input(format!("{}: {error}", named(path))),
             (error, None) => End::internal(error),
         }
-    }
-
-    fn progress(&self, scene: Option<&Scene>) -> Result<ProgressBar, End> {
-        if self.quiet {
-            return Ok(ProgressBar::hidden());
-        }
-        let loops = scene.map_or_else(Costs::loops, Costs::loops_of);
-        let loops = loops.map_err(|error| self.blame(error))?;
-        Ok(shown(ProgressBar::new(loops as u64), BAR))
     }
 }

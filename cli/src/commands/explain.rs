@@ -1,6 +1,5 @@
 //! The command `lyapunov explain`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{End, named, standard_output};
+use super::{End, named, print};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -42,8 +41,7 @@ impl Explain {
         let scene = Scene::load(&self.scene).map_err(End::input)?;
         let inputs = Inputs::scene(&self.scene, &scene);
         let files = names(RESULTS, ["explain"], ["explain.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let watch = |_| End::go_on();
         let explanation = in_space!(scene, Axes => Explanation::watched::<Axes>(&scene, &watch));
         let name = named(&self.scene);
@@ -56,11 +54,10 @@ impl Explain {
             let results = results.with_figure("explain", &explanation.figure(&name))?;
             folder.fill(results.with_file("explain.csv", explanation.csv()))?;
         }
-        let text = match (self.json, self.quiet) {
-            (true, _) => json,
-            (_, true) => return Ok(()),
-            _ => format!("{name}\n{explanation}"),
-        };
-        io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
+        match (self.json, self.quiet) {
+            (true, _) => print(json),
+            (_, true) => Ok(()),
+            _ => print(format_args!("{name}\n{explanation}")),
+        }
     }
 }

@@ -40,6 +40,15 @@ impl<'a> Folder<'a> {
         Self::locked(path, names, inputs, lock)
     }
 
+    /// The same where a folder is asked for.
+    pub(crate) fn asked(
+        path: Option<&'a Path>,
+        names: impl IntoIterator<Item = impl Into<String>>,
+        inputs: &Inputs,
+    ) -> Result<Option<Self>, End> {
+        path.map(|path| Self::claim(path, names, inputs)).transpose()
+    }
+
     /// The same for a process that shares the folder with others, which write files of other names.
     pub(crate) fn share(
         path: &'a Path,

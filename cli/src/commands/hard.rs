@@ -2,7 +2,6 @@
 
 mod soak;
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -13,7 +12,7 @@ use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
 use super::results::{Results, names};
-use super::{BAR, End, program, shown, standard_output};
+use super::{BAR, End, print, program, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -75,11 +74,9 @@ impl Hard {
     }
 
     fn catalogue(&self) -> Result<(), End> {
-        let inputs = Inputs::default();
         let files = names(RESULTS, [""; 0], ["hard.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = self.progress();
+        let folder = Folder::asked(self.out.as_deref(), files, &Inputs::default())?;
+        let bar = shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR, self.quiet);
         let watch = || {
             bar.inc(1);
             End::go_on()
@@ -96,8 +93,7 @@ impl Hard {
             folder.fill(results.with_file("hard.csv", catalogue.csv()))?;
         }
         if !self.quiet {
-            let shown = if self.json { text } else { catalogue.to_string() };
-            io::stdout().lock().write_all(shown.as_bytes()).map_err(standard_output)?;
+            print(if self.json { text } else { catalogue.to_string() })?;
         }
         let failed = catalogue.rows.iter().filter(|row| !row.passed).count();
         if failed == 0 { Ok(()) } else { Err(End::Failed(format!("{failed} hard cases failed"))) }
@@ -107,12 +103,5 @@ impl Hard {
         let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
         let named = named.unwrap_or_default();
         format!("{} hard{named} --out {}", program(), folder.path().display())
-    }
-
-    fn progress(&self) -> ProgressBar {
-        if self.quiet {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR)
     }
 }

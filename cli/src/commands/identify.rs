@@ -1,6 +1,5 @@
 //! The command `lyapunov identify`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use lyapunov_lab::observe::{Columns, Scale};
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{End, standard_output};
+use super::{End, print};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -52,8 +51,7 @@ impl Identify {
         let settings = Settings { columns: self.columns.clone(), scales: self.scale.clone() };
         let inputs = Inputs::of("the log", [&self.log]);
         let files = names(RESULTS, ["identify"], ["identify.toml", "identify.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let identified = Source::read_by(&self.log, self.quiet, |log, name| {
             identify::identify(log, name, &settings)
         })?;
@@ -64,11 +62,10 @@ impl Identify {
             let results = results.with_file("identify.toml", identified.scene.as_str());
             folder.fill(results.with_file("identify.csv", identified.csv()))?;
         }
-        let text = match (self.json, self.quiet) {
-            (true, _) => json,
-            (_, true) => return Ok(()),
-            _ => identified.to_string(),
-        };
-        io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
+        match (self.json, self.quiet) {
+            (true, _) => print(json),
+            (_, true) => Ok(()),
+            _ => print(identified),
+        }
     }
 }

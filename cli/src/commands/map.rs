@@ -1,7 +1,6 @@
 //! The command `lyapunov map`.
 
 use std::fmt::Write as _;
-use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +17,7 @@ use rayon::prelude::*;
 use super::folder::Folder;
 use super::merge::Merge;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, program, shown, standard_output};
+use super::{BAR, End, named, print, program, shown};
 use crate::files::{Inputs, Output, Outputs};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
@@ -183,12 +182,8 @@ impl Map {
         let plan = SweepPlan::new(&name, scene, x.clone(), stabilizers);
         let plan = plan.map_err(|error| self.blame(error))?;
         let files = names(SWEEP, ["verdicts", "sweep"], ["sweep.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(plan.ticks()), BAR),
-        };
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
+        let bar = shown(ProgressBar::new(plan.ticks()), BAR, self.quiet);
         let watch = |ticks| {
             bar.inc(ticks);
             End::go_on()
@@ -207,12 +202,11 @@ impl Map {
             let results = results.with_figure("verdicts", &sweep.verdicts())?;
             folder.fill(results.with_figure("sweep", &sweep.curves())?)?;
         }
-        let said = match (self.json, self.quiet) {
-            (true, _) => text,
-            (_, true) => return Ok(()),
-            _ => sweep.to_string(),
-        };
-        io::stdout().lock().write_all(said.as_bytes()).map_err(standard_output)
+        match (self.json, self.quiet) {
+            (true, _) => print(text),
+            (_, true) => Ok(()),
+            _ => print(sweep),
+        }
     }
 
     fn compute(
@@ -225,11 +219,7 @@ impl Map {
     ) -> Result<lyapunov_lab::map::Workload, End> {
         let cells = shard.cells(grid.cells());
         let first = checkpoint.as_ref().map_or(cells.start, Checkpoint::next);
-        let bar = if self.quiet {
-            ProgressBar::hidden()
-        } else {
-            shown(ProgressBar::new(cells.end - cells.start), MAP_BAR)
-        };
+        let bar = shown(ProgressBar::new(cells.end - cells.start), MAP_BAR, self.quiet);
         bar.set_position(first - cells.start);
         bar.reset_eta();
         let go_on = || End::if_interrupted().is_ok();
@@ -279,9 +269,8 @@ impl Map {
         computation: &Computation,
         text: &str,
     ) -> Result<(), End> {
-        let mut out = io::stdout().lock();
         if self.json {
-            return out.write_all(text.as_bytes()).map_err(standard_output);
+            return print(text);
         }
         if self.quiet {
             return Ok(());
@@ -304,7 +293,7 @@ impl Map {
             }
         };
         let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
-        out.write_all(said.as_bytes()).map_err(standard_output)
+        print(said)
     }
 }
 

@@ -1,6 +1,5 @@
 //! The command `lyapunov map merge`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -11,7 +10,7 @@ use lyapunov_lab::map::{
 use super::folder::Folder;
 use super::map::{MERGED, RESULTS, fill};
 use super::results::names;
-use super::{End, named, program, standard_output};
+use super::{End, named, print, program};
 use crate::files::{Inputs, Output, Outputs};
 
 /// Put the shards of a map together.
@@ -52,11 +51,10 @@ impl Merge {
         outputs.add(output).map_err(End::input)?;
         fill(&mut outputs, &survey, bounds.as_ref(), &text, [&command, MERGED])?;
         outputs.keep().map_err(End::input)?;
-        let mut out = io::stdout().lock();
         match (self.json, self.quiet) {
-            (true, _) => out.write_all(text.as_bytes()).map_err(standard_output),
+            (true, _) => print(text),
             (_, true) => Ok(()),
-            _ => out.write_all(areas(&survey, bounds.as_ref()).as_bytes()).map_err(standard_output),
+            _ => print(areas(&survey, bounds.as_ref())),
         }
     }
 

@@ -33,7 +33,7 @@ use std::process;
 use std::sync::OnceLock;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lyapunov_lab::{OutputError, legible};
 
 use crate::files::is_any_kept;
@@ -155,13 +155,23 @@ pub(crate) fn arguments() -> impl Iterator<Item = &'static OsString> {
 /// Template of a progress bar whose length is known.
 const BAR: &str = "{bar:40} {percent:>3} %, {eta} left";
 
-/// The bar in this form; a line now and then unless standard output and standard error are both a terminal.
-pub(crate) fn shown(bar: ProgressBar, template: &str) -> ProgressBar {
+/// The bar in this form, unless the command is `quiet`; a line now and then unless standard output and standard error are
+/// both a terminal.
+pub(crate) fn shown(bar: ProgressBar, template: &str, quiet: bool) -> ProgressBar {
+    if quiet {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+        return bar;
+    }
     if !io::stdout().is_terminal() || !io::stderr().is_terminal() {
         return progress::in_lines(bar);
     }
     let style = ProgressStyle::with_template(template);
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// Prints a result on standard output.
+pub(crate) fn print(text: impl Display) -> Result<(), End> {
+    io::stdout().lock().write_all(text.to_string().as_bytes()).map_err(standard_output)
 }
 
 /// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.

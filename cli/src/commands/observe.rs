@@ -1,6 +1,5 @@
 //! The command `lyapunov observe`.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
@@ -11,7 +10,7 @@ use lyapunov_lab::scene::Scene;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{End, named, standard_output};
+use super::{End, named, print};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -97,8 +96,7 @@ impl Observe {
                 ["stabilizers.csv", "stabilizers.svg", "stabilizers.png"].map(str::to_owned),
             );
         }
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let observed = Source::read_by(&self.log, self.quiet, |log, name| {
             observe::observe(log, name, &settings)
         })?;
@@ -155,18 +153,15 @@ impl Observe {
     }
 
     fn tell(&self, observed: &Observed) -> Result<(), End> {
-        let mut out = io::stdout().lock();
-        let told = if self.json {
-            out.write_all(json(observed)?.as_bytes())
-        } else if self.quiet {
-            Ok(())
-        } else {
-            writeln!(out, "{}", observed.report).and_then(|()| match &self.out {
-                Some(folder) => writeln!(out, "  written     {}", folder.display()),
-                None => Ok(()),
-            })
-        };
-        told.and_then(|()| out.flush()).map_err(standard_output)
+        let report = &observed.report;
+        match (self.json, self.quiet, &self.out) {
+            (true, ..) => print(json(observed)?),
+            (_, true, _) => Ok(()),
+            (.., None) => print(format_args!("{report}\n")),
+            (.., Some(folder)) => {
+                print(format_args!("{report}\n  written     {}\n", folder.display()))
+            }
+        }
     }
 }
 

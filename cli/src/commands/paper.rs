@@ -1,6 +1,6 @@
 //! The command `lyapunov paper`.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::thread;
@@ -13,7 +13,7 @@ use lyapunov_lab::{Csv, OutputError, Rollout, Scene};
 
 use super::folder::Folder;
 use super::results::names;
-use super::{BAR, End, program, shown, standard_output};
+use super::{BAR, End, print, program, shown};
 use crate::files::{Inputs, Outputs};
 use crate::pictures::pictures;
 
@@ -57,7 +57,7 @@ impl Paper {
         let rows = Case::ALL.map(|case| format!("{}.csv", case.name()));
         let files = names("claims.json", FIGURES, rows);
         let folder = Folder::claim(&self.out, files, &Inputs::default())?;
-        let bar = self.progress();
+        let bar = shown(ProgressBar::new(Study::STAGES as u64), BAR, self.quiet);
         let draws = Draws { count: self.draws, seed: self.seed };
         let study = studied(draws, bar.clone())?;
         bar.finish_and_clear();
@@ -73,7 +73,7 @@ impl Paper {
             true => study.to_json()?,
             false => format!("{study}\nreport, figures and the rows behind them are in {files}\n"),
         };
-        io::stdout().write_all(text.as_bytes()).map_err(standard_output)
+        print(text)
     }
 
     /// The arguments that choose the ensemble, where they are not the usual ones.
@@ -87,13 +87,6 @@ impl Paper {
             words += &format!(" --seed {}", self.seed);
         }
         words
-    }
-
-    fn progress(&self) -> ProgressBar {
-        if self.quiet {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(Study::STAGES as u64), BAR)
     }
 }
 

@@ -1,6 +1,5 @@
 //! `lyapunov map --refine`: the edge of stability from few runs.
 
-use std::io::{self, Write};
 use std::path::Path;
 
 use indicatif::ProgressBar;
@@ -9,7 +8,7 @@ use lyapunov_lab::map::{Bounds, Grid, Refined, Run, RunError};
 use super::folder::Folder;
 use super::map::Map;
 use super::results::{Results, command_line, names};
-use super::{End, shown, standard_output};
+use super::{End, print, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -22,12 +21,8 @@ impl Map {
     pub(super) fn refine(&self, grid: &Grid, run: &Run<'_>) -> Result<(), End> {
         let inputs = Inputs::scene(self.scene.as_deref().unwrap_or(Path::new("")), &grid.scene);
         let files = names(RESULTS, ["edge"], ["judged.csv"]);
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::no_length(), BAR),
-        };
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
+        let bar = shown(ProgressBar::no_length(), BAR, self.quiet);
         let watch = |judged| {
             bar.inc(judged);
             End::if_interrupted().is_ok()
@@ -44,11 +39,10 @@ impl Map {
             let results = Results::new(page, RESULTS, &text).with_file("judged.csv", refined.csv());
             folder.fill(results.with_figure("edge", &refined.figure(bounds.as_ref()))?)?;
         }
-        let said = match (self.json, self.quiet) {
-            (true, _) => text,
-            (_, true) => return Ok(()),
-            _ => refined.to_string(),
-        };
-        io::stdout().lock().write_all(said.as_bytes()).map_err(standard_output)
+        match (self.json, self.quiet) {
+            (true, _) => print(text),
+            (_, true) => Ok(()),
+            _ => print(refined),
+        }
     }
 }

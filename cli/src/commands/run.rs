@@ -15,7 +15,7 @@ use lyapunov_lab::{Csv, OutputError, Rollout, Row, RowFile, Space, Summary, Tick
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{BAR, End, named, say, shown, standard_output};
+use super::{BAR, End, named, print, say, shown, standard_output};
 use crate::files::{Inputs, Output, Sidecar};
 #[cfg(feature = "parquet")]
 use crate::parquet::Parquet;
@@ -201,7 +201,7 @@ impl Run {
         if self.quiet {
             return Ok(());
         }
-        io::stdout().write_all(self.words(told)?.as_bytes()).map_err(standard_output)
+        print(self.words(told)?)
     }
 
     fn words(&self, told: &Ended) -> Result<String, End> {
@@ -224,10 +224,8 @@ impl Run {
 
     /// Progress bar, hidden for a short run.
     fn progress(&self, scene: &Scene) -> ProgressBar {
-        if self.quiet || scene.ticks() < 50 * BREATH {
-            return ProgressBar::hidden();
-        }
-        shown(ProgressBar::new(scene.ticks()), BAR)
+        let short = scene.ticks() < 50 * BREATH;
+        shown(ProgressBar::new(scene.ticks()), BAR, self.quiet || short)
     }
 }
 

@@ -1,11 +1,9 @@
 //! The command `lyapunov scenes`.
 
-use std::io::{self, Write};
-
 use clap::Args;
 use lyapunov_lab::scenes::{self, ShippedScene};
 
-use super::{End, standard_output};
+use super::{End, print};
 
 /// List the scenes that ship with the command, or print one to save and change.
 ///
@@ -35,7 +33,7 @@ impl Scenes {
                 format!("{}\n  {what}\n  {look}", scene.name)
             }),
         };
-        io::stdout().write_all(text.as_bytes()).map_err(standard_output)
+        print(text)
     }
 }
 

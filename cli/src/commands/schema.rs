@@ -1,11 +1,9 @@
 //! The command `lyapunov schema`.
 
-use std::io::{self, Write};
-
 use clap::{Args, ValueEnum};
 use lyapunov_lab::{models, scene, teleoperation};
 
-use super::{End, standard_output};
+use super::{End, print};
 
 /// Print the JSON Schema of scene files, or of another kind of file, by which editors complete and check keys.
 ///
@@ -38,6 +36,6 @@ impl Schema {
             Kind::Model => models::schema_text(),
             Kind::Teleoperation => teleoperation::schema_text(),
         };
-        io::stdout().write_all(text.as_bytes()).map_err(standard_output)
+        print(text)
     }
 }

@@ -83,23 +83,21 @@ impl Source {
         read: impl FnOnce(Self, &str) -> Result<T, E>,
     ) -> Result<T, End> {
         let (mut source, name) = Self::named(path)?;
-        if !quiet {
-            source.show_progress();
-        }
+        source.show_progress(quiet);
         let result = read(source, &name);
         // An interrupted stream also ends with an error of its own, which would hide the interrupt.
         End::if_interrupted()?;
         result.map_err(End::input)
     }
 
-    /// Shows a progress bar, unless the file is small.
-    fn show_progress(&mut self) {
+    /// Shows a progress bar, unless the command is `quiet` or the file small.
+    fn show_progress(&mut self, quiet: bool) {
         let (bar, template) = match self.size {
             Some(size) if size < SMALL => return,
             Some(size) => (ProgressBar::new(size), BAR),
             None => (ProgressBar::new_spinner(), "{spinner} {bytes} read, {bytes_per_sec}"),
         };
-        self.bar = shown(bar, template);
+        self.bar = shown(bar, template, quiet);
     }
 }
 

@@ -1,6 +1,5 @@
 //! The command `lyapunov compare` of models and teleoperators.
 
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use lyapunov_lab::Scene;
@@ -12,7 +11,7 @@ use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
 use super::left_out::LeftOut;
 use super::results::{self, Results};
-use super::{End, named, program, standard_output};
+use super::{End, named, print, program};
 use crate::files::Inputs;
 
 /// Files to compare, each under the path as it was given.
@@ -71,8 +70,7 @@ pub(super) fn run<C: Compared>(
     let files_of = names(files.iter().map(|(name, _)| &name[..]));
     let rows = files_of.iter().map(|name| format!("{name}.csv"));
     let outputs = results::names(RESULTS, &files_of, rows);
-    let claim = |path| Folder::claim(path, &outputs, &inputs);
-    let folder = asked.out.as_deref().map(claim).transpose()?;
+    let folder = Folder::asked(asked.out.as_deref(), outputs, &inputs)?;
     let ticks: u64 = files.iter().map(|(_, file)| C::ticks(file)).sum();
     let bar = asked.progress(ticks * entrants.len() as u64);
     let watch = |ticks| {
@@ -91,14 +89,10 @@ pub(super) fn run<C: Compared>(
     if let Some(folder) = folder {
         fill::<C>(&folder, &asked.scenes, &sheets, &text)?;
     }
-    let mut out = io::stdout().lock();
     if asked.json {
-        out.write_all(text.as_bytes()).map_err(standard_output)?;
-    }
-    let shown = if asked.quiet || asked.json { &[][..] } else { &sheets[..] };
-    for (index, sheet) in shown.iter().enumerate() {
-        let gap = if index == 0 { "" } else { "\n" };
-        write!(out, "{gap}{sheet}").map_err(standard_output)?;
+        print(text)?;
+    } else if !asked.quiet {
+        print(sheets.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))?;
     }
     left_out.end()
 }

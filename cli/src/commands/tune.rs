@@ -1,7 +1,6 @@
 //! The command `lyapunov tune`.
 
 use std::fmt::Write as _;
-use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,7 +11,7 @@ use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, fig
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, shown, standard_output};
+use super::{BAR, End, named, print, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -66,8 +65,7 @@ impl Tune {
         let tuned =
             self.stabilizers.on(&scene).iter().map(|one| format!("{one}.toml")).collect::<Vec<_>>();
         let files = names(RESULTS, ["tune"], tuned.iter().map(String::as_str).chain(["tune.csv"]));
-        let claim = |path| Folder::claim(path, &files, &inputs);
-        let folder = self.out.as_deref().map(claim).transpose()?;
+        let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let Self { objective, trials, runs, seed, .. } = *self;
         let tuning = Tuning { objective, trials, runs, seed, ..Tuning::default() };
         let name = named(&self.scene);
@@ -84,20 +82,18 @@ impl Tune {
             }
             folder.fill(results)?;
         }
-        let mut out = io::stdout().lock();
-        let said = match (self.json, self.quiet) {
-            (true, _) => text,
-            (_, true) => return Ok(()),
+        match (self.json, self.quiet) {
+            (true, _) => print(text),
+            (_, true) => Ok(()),
             _ => {
                 let mut said = table(&name, &tuning, &tuned);
                 if let Some(best) = Tuned::best(&tuned) {
                     let scene = best.text().map_err(End::internal)?;
                     let _ = write!(said, "\nThe scene with {}, tuned:\n\n{scene}", best.name);
                 }
-                said
+                print(said)
             }
-        };
-        out.write_all(said.as_bytes()).map_err(standard_output)
+        }
     }
 }
 
@@ -128,10 +124,7 @@ pub(super) fn tune(
 ) -> Result<Vec<Tuned>, End> {
     let names = names.on(scene);
     let runs = names.iter().count() as u64 * tuning.rollouts();
-    let bar = match quiet {
-        true => ProgressBar::hidden(),
-        false => shown(ProgressBar::new(runs), BAR),
-    };
+    let bar = shown(ProgressBar::new(runs), BAR, quiet);
     let watch = |runs| {
         bar.inc(runs);
         End::go_on()

@@ -1,6 +1,5 @@
 //! The promises of `lyapunov hard` on a scene, and on random ones without end.
 
-use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -13,7 +12,7 @@ use lyapunov_lab::scene::Scene;
 use super::Hard;
 use crate::commands::folder::Folder;
 use crate::commands::results::Results;
-use crate::commands::{BAR, End, named, program, shown, standard_output};
+use crate::commands::{BAR, End, named, print, program, shown};
 use crate::files::Inputs;
 
 /// The file of the scene that is found.
@@ -50,17 +49,14 @@ impl Hard {
             if scene.stabilizer.is_some() { self.faults(path, &scene)? } else { String::new() };
         match self.quiet {
             true => Ok(()),
-            false => told(&format!("{name}: every promise is kept\n{faults}")),
+            false => print(format_args!("{name}: every promise is kept\n{faults}")),
         }
     }
 
     /// Sweeps every fault through every tick of a scene.
     fn faults(&self, path: &Path, scene: &Scene) -> Result<String, End> {
         let name = named(path);
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(SPACING), BAR),
-        };
+        let bar = shown(ProgressBar::new(SPACING), BAR, self.quiet);
         let (mut faults, mut recovery) = (0, 0);
         for first in 0..SPACING {
             End::if_interrupted()?;
@@ -90,10 +86,7 @@ impl Hard {
         let out = self.out.as_deref().unwrap_or(Path::new("."));
         let folder = Folder::claim(out, [FOUND], &Inputs::default())?;
         let (start, length) = (Instant::now(), span.as_millis() as u64);
-        let bar = match self.quiet {
-            true => ProgressBar::hidden(),
-            false => shown(ProgressBar::new(length), BAR),
-        };
+        let bar = shown(ProgressBar::new(length), BAR, self.quiet);
         let soaked = soak.run(&mut |_| {
             let spent = start.elapsed();
             bar.set_position(length.min(spent.as_millis() as u64));
@@ -107,15 +100,11 @@ impl Hard {
         }
         if !self.quiet {
             let json = || soaked.document().map_err(End::internal);
-            told(&if self.json { json()? } else { soaked.to_string() })?;
+            print(if self.json { json()? } else { soaked.to_string() })?;
         }
         match soaked.found {
             Some(_) => Err(End::Failed(format!("a promise is broken; it is again by: {command}"))),
             None => End::if_interrupted(),
         }
     }
-}
-
-fn told(text: &str) -> Result<(), End> {
-    io::stdout().lock().write_all(text.as_bytes()).map_err(standard_output)
 }

@@ -3,7 +3,6 @@
 mod exact;
 mod limits;
 mod linear_part;
-pub mod llewellyn;
 mod loop_map;
 mod pair;
 mod passivity;

@@ -5,7 +5,6 @@ use std::fmt;
 use lyapunov::stabilizers::NoStabilizer;
 use serde::{Serialize, Serializer};
 
-use super::naive::Naive;
 use super::tally::{Tally, larger};
 use super::trial::{HardError, MakeStabilizer, Runs, Trial};
 use crate::simulate::AnyStabilizer;
@@ -151,10 +150,7 @@ impl Case {
     /// # Errors
     /// A case that is not well-formed.
     pub fn row(&self) -> Result<Row, HardError> {
-        let runs = self.trial.ours()?;
-        let naive = self.trial.naive()?.map(|tally| self.outcome(&tally));
-        let without = self.without()?;
-        Ok(self.judged(&runs, true, naive, without))
+        self.judged(&self.trial.ours()?, true)
     }
 
     /// The result with `member` instead of our stabilizer, in `f64` and `f32`; none where it takes no part.
@@ -167,14 +163,7 @@ impl Case {
             runs => runs?,
         };
         let Some(runs) = runs else { return Ok(None) };
-        let naive = self.trial.naive()?.map(|tally| self.outcome(&tally));
-        let without = self.without()?;
-        Ok(Some(self.judged(&runs, self.trial.promised_by(member)?, naive, without)))
-    }
-
-    fn without(&self) -> Result<Option<Outcome>, HardError> {
-        let nothing = || AnyStabilizer::new(NoStabilizer);
-        Ok(self.trial.with(&nothing)?.map(|tally| self.outcome(&tally)))
+        self.judged(&runs, self.trial.promised_by(member)?).map(Some)
     }
 
     /// The result in `f64` with your own stabilizer, made anew for every run; none where the case is not about one
@@ -188,14 +177,6 @@ impl Case {
         self.trial.with(own)
     }
 
-    /// The result of the naive implementation of the paper's steps.
-    ///
-    /// # Errors
-    /// A case that is not well-formed.
-    pub fn naive(&self) -> Result<Option<Tally>, HardError> {
-        self.with(&|| AnyStabilizer::new(Naive::<f64>::default()))
-    }
-
     fn outcome(&self, tally: &Tally) -> Outcome {
         let measured = (self.quantity.of)(tally);
         let in_range = tally.not_finite.is_none() && tally.out_of_range.is_none();
@@ -203,13 +184,10 @@ impl Case {
         Outcome { measured, not_finite_from: tally.not_finite, kept }
     }
 
-    fn judged(
-        &self,
-        runs: &Runs,
-        promised: bool,
-        naive: Option<Outcome>,
-        without: Option<Outcome>,
-    ) -> Row {
+    fn judged(&self, runs: &Runs, promised: bool) -> Result<Row, HardError> {
+        let outcome = |tally: Tally| self.outcome(&tally);
+        let without = self.trial.with(&|| AnyStabilizer::new(NoStabilizer))?.map(outcome);
+        let naive = self.trial.naive()?.map(outcome);
         let worst = |of: &dyn Fn(&Tally) -> f64| runs.all().map(of).fold(0.0, larger);
         let measured = worst(&|tally| (self.quantity.of)(tally));
         let kept = |tallies: &[Tally]| {
@@ -224,7 +202,7 @@ impl Case {
         };
         let lanes_equal = runs.lanes_equal();
         let broken = runs.all().find_map(|tally| tally.broken);
-        Row {
+        Ok(Row {
             case: self.name,
             theme: self.theme,
             hard: self.hard,
@@ -243,6 +221,6 @@ impl Case {
             lanes_equal,
             apart: self.apart,
             scene: self.trial.scene().map(str::to_owned),
-        }
+        })
     }
 }

@@ -51,14 +51,7 @@ impl Catalogue {
 
     /// Results of all cases, run on all cores; `watch` is called after each case and may stop the catalogue.
     ///
-    /// # Errors
-    /// The conditions of [`HardError`].
-    pub fn run(watch: &(dyn Fn() -> ControlFlow<()> + Sync)) -> Result<Self, HardError> {
-        Self::of(None, watch)
-    }
-
-    /// The same with `member`, if there is one, instead of our stabilizer, in `f64` and `f32`, without the cases in
-    /// which it takes no part.
+    /// With a `member`, it runs instead of our stabilizer, in `f64` and `f32`, without the cases in which it takes no part.
     ///
     /// # Errors
     /// The conditions of [`HardError`].

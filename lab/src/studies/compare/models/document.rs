@@ -37,22 +37,16 @@ struct Line<'a> {
 
 /// The comparisons as JSON; docs/any-plant.md lists the keys.
 pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
-    let circumstances = |comparison: &'_ Comparison| {
-        let stabilizer = comparison.model.stabilizer;
-        let cap = stabilizer.damping_cap.get();
-        (cap.is_finite().then_some(cap), stabilizer.decay.get())
-    };
-    let models = comparisons.iter().map(|comparison| {
-        let (damping_cap, decay_per_s) = circumstances(comparison);
-        let plant = &comparison.model.plant;
+    let models = comparisons.iter().map(|Comparison { name, model, began, .. }| {
+        let (plant, cap) = (&model.plant, model.stabilizer.damping_cap.get());
         Circumstances {
-            model: &comparison.name,
+            model: name,
             plant: plant.name(),
-            v_start: comparison.began,
+            v_start: *began,
             v_unit: plant.unit_of_value(),
             effort_unit: plant.unit_of_input(),
-            damping_cap,
-            decay_per_s,
+            damping_cap: cap.is_finite().then_some(cap),
+            decay_per_s: model.stabilizer.decay.get(),
         }
     });
     let rows = comparisons.iter().flat_map(|comparison| {

@@ -8,11 +8,10 @@ use lyapunov::{
 
 use crate::files::scene::Basis;
 use crate::files::scene::Pledge;
+use crate::simulate::Space;
 use crate::simulate::family::StabilizerName;
-use crate::simulate::{AnyStabilizer, Space};
 use crate::studies::hard::case::{Case, Quantity};
 use crate::studies::hard::member;
-use crate::studies::hard::naive::Naive;
 use crate::studies::hard::tally::Tally;
 use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{EveryScalar, HardError, MakeStabilizer, Runs, Trial};
@@ -125,10 +124,6 @@ impl Trial for Scaled {
 
     fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
         Ok(self.spread::<f64, _>(0, |_| Pledge::POPC, |_| Ok(own()))?.pop())
-    }
-
-    fn naive(&self) -> Result<Option<Tally>, HardError> {
-        self.with(&|| AnyStabilizer::new(Naive::<f64>::default()))
     }
 }
 
