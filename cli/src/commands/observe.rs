@@ -159,7 +159,7 @@ impl Observe {
             (_, true, _) => Ok(()),
             (.., None) => print(format_args!("{report}\n")),
             (.., Some(folder)) => {
-                print(format_args!("{report}\n  written     {}\n", folder.display()))
+                print(format_args!("{report}\n  written     {}\n", named(folder)))
             }
         }
     }

@@ -40,9 +40,10 @@ impl fmt::Display for OutputError {
             io::ErrorKind::StorageFull => {
                 ("no space is left there", "free some space there, or choose another place")
             }
-            io::ErrorKind::FileTooLarge => {
-                ("it grew beyond the limit of a file", "raise that limit (ulimit -f), or write less")
-            }
+            io::ErrorKind::FileTooLarge => (
+                "it grew beyond the limit of a file",
+                "raise that limit (ulimit -f), or write less",
+            ),
             _ => {
                 let remedy = "choose another name or another place";
                 return write!(f, "{path} cannot be written: {}\n  = {remedy}", self.source);
