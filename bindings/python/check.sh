@@ -18,7 +18,9 @@ fi
     || skipped "the Python package: its tools cannot be installed from the registry"
 export VIRTUAL_ENV=$venv PATH=$venv/bin:$PATH
 
-# In the profile of the tests, whose dependencies it finds built as far as their features agree.
+# In the profile of the tests, whose dependencies it finds built as far as their features agree. The lab has others, is built again
+# for it, and takes less to build without optimization than what is asked of it here takes longer.
+export CARGO_PROFILE_DEV_OPT_LEVEL=0
 rm -rf "$target/wheels"
 step maturin build --quiet --profile dev --out "$target/wheels"
 pip install --quiet --force-reinstall --no-deps "$target"/wheels/*.whl
