@@ -40,7 +40,7 @@ impl Merge {
         let folder = Folder::claim(&self.out, files, &inputs)?;
         let table = folder.path().join(table_name(Shard::WHOLE));
         let mut output = Output::create(&table).map_err(End::input)?;
-        let merged = merge(&tables, &mut output, &table);
+        let merged = merge(&tables, &mut output, &table, |_, _, _| ());
         let survey = merged.map_err(|error: MergeError| End::input(error))?;
         let bounds = Bounds::of(survey.grid());
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;

@@ -32,8 +32,9 @@ if TYPE_CHECKING:
 SECONDS = 5.0
 """Time that a shard takes, about: what a killed worker loses, and long beside the cost of a task."""
 
-TRIAL = 64
-"""Cells or members of which the time is taken to cut the shards."""
+TRIAL = 0.5
+"""Time that the trial from which shards are cut takes at least, if not everything is done sooner: what every shard begins with is
+short beside it."""
 
 RETRIES = 100
 """Times that a shard is begun again whose worker or node was lost."""
@@ -118,9 +119,10 @@ def _connect() -> None:
 
 def _count(whole: int, timed: Callable[[int], Any]) -> int:
     """The number of shards of `whole` cells or members that take some seconds each, by a trial of a few."""
-    trial = max(1, whole // TRIAL)
-    seconds: float = ray.get(timed(trial))
-    return max(1, min(whole, math.ceil(trial * seconds / SECONDS)))
+    share = max(1, whole // 64)
+    while (seconds := ray.get(timed(share))) < TRIAL and share > 1:
+        share = max(1, share // 8)
+    return max(1, min(whole, math.ceil(share * seconds / SECONDS)))
 
 
 def _begun(folder: Path) -> int | None:

@@ -1,7 +1,5 @@
 //! Map of a scene over two of its numbers, or a sweep over one.
 
-use std::fs;
-
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{
     Axis, Bounds, Computation, Grid, Measure, Outcome, Run, RunError, Survey, SweepPlan, areas,
@@ -124,14 +122,14 @@ const WORDS: [&str; 3] = ["stabilizer", "verdict", "verdict_by"];
 
 /// The rows of map.csv.
 #[derive(Debug, Default)]
-struct Rows {
+pub(super) struct Rows {
     places: [Vec<f64>; 2],
     words: [Vec<String>; 3],
     measures: Vec<Vec<f64>>,
 }
 
 impl Rows {
-    fn add(&mut self, grid: &Grid, cell: u64, outcomes: &[Outcome]) {
+    pub(super) fn add(&mut self, grid: &Grid, cell: u64, outcomes: &[Outcome]) {
         self.measures.resize(Measure::ALL.len(), Vec::new());
         for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
             for (place, value) in self.places.iter_mut().zip(grid.values(cell)) {
@@ -147,7 +145,7 @@ impl Rows {
         }
     }
 
-    fn columns(self, grid: &Grid) -> Columns {
+    pub(super) fn columns(self, grid: &Grid) -> Columns {
         let axes = [&grid.x.key, &grid.y.key].map(String::clone);
         let places = axes.into_iter().zip(self.places.map(Column::Numbers));
         let words = WORDS.map(str::to_owned).into_iter().zip(self.words.map(Column::Words));
@@ -155,15 +153,4 @@ impl Rows {
         let measures = keys.into_iter().zip(self.measures.into_iter().map(Column::Numbers));
         Columns(places.chain(words).chain(measures).collect())
     }
-}
-
-/// The columns of the table of a map at `path`.
-pub(super) fn columns_of(path: &std::path::Path) -> Result<Columns, Fault> {
-    let text = fs::read_to_string(path).map_err(Fault::internal)?;
-    // Only the head is in lines that begin so.
-    let mut rows = &text[..];
-    while let Some((_, rest)) = rows.split_once('\n').filter(|(line, _)| line.starts_with('#')) {
-        rows = rest;
-    }
-    Ok(Columns::of_csv(rows, &WORDS)?)
 }

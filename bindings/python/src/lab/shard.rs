@@ -7,7 +7,7 @@ use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::map::{Axis, Checkpoint, Run, Shard, Survey, TableHeader, merge, table_name};
 use pyo3::prelude::*;
 
-use super::map::{columns_of, fault, grid_of, told};
+use super::map::{Rows, fault, grid_of, told};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
@@ -75,13 +75,14 @@ pub(crate) fn map_shard(
 #[pyfunction]
 pub(crate) fn map_merge(py: Python<'_>, tables: Vec<PathBuf>, path: PathBuf) -> PyResult<Told> {
     wait(py, None, 1, move |_| {
-        let mut survey = None;
+        let (mut survey, mut rows) = (None, Rows::default());
         write_whole(&path, |file, place| {
-            survey = Some(merge(&tables, file, place).map_err(Fault::input)?);
+            let each = |grid: &_, cell, outcomes: &[_]| rows.add(grid, cell, outcomes);
+            survey = Some(merge(&tables, file, place, each).map_err(Fault::input)?);
             Ok(())
         })?;
         let survey = survey.ok_or_else(|| Fault::internal("there is no map"))?;
-        Ok(Told { columns: columns_of(&path)?, ..told(&survey, None)? })
+        Ok(Told { columns: rows.columns(survey.grid()), ..told(&survey, None)? })
     })
 }
 

@@ -2,16 +2,16 @@
 
 use std::fmt;
 use std::fs::File;
-use std::io::{BufReader, Write};
+use std::io::{BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::checkpoint::CheckpointError;
 use super::grid::Grid;
 use super::shard::Shard;
 use super::survey::Survey;
-use super::table::{self, Rows, TableError, TableHeader};
+use super::table::{Rows, TableError, TableHeader};
+use crate::measure::runs::Outcome;
 use crate::show::OutputError;
-use crate::show::csv::Records;
 
 /// Reason why shards do not make a map.
 #[derive(Debug)]
@@ -61,11 +61,17 @@ impl<E: Into<CheckpointError>> From<E> for MergeError {
     }
 }
 
-/// Writes the map of all shards at `paths` to `out`, which is at `place`, and returns its survey.
+/// Writes the map of all shards at `paths` to `out`, which is at `place`, and returns its survey; `each` learns the outcomes of
+/// every cell.
 ///
 /// # Errors
 /// Tables that do not make a whole map; a place that cannot be written to.
-pub fn merge(paths: &[PathBuf], out: &mut impl Write, place: &Path) -> Result<Survey, MergeError> {
+pub fn merge(
+    paths: &[PathBuf],
+    out: &mut impl Write,
+    place: &Path,
+    mut each: impl FnMut(&Grid, u64, &[Outcome]),
+) -> Result<Survey, MergeError> {
     let mut shards = Vec::new();
     for path in paths {
         let (_, head) = open(path)?;
@@ -84,8 +90,9 @@ pub fn merge(paths: &[PathBuf], out: &mut impl Write, place: &Path) -> Result<Su
     let mut survey = Survey::of(grid);
     let whole = TableHeader::of(grid, Shard::WHOLE);
     let count = shard.count;
-    out.write_all(whole.text().as_bytes()).map_err(|error| OutputError::new(place, error))?;
-    let mut rows = Records::new(&mut *out);
+    let unwritten = |error| OutputError::new(place, error);
+    let mut out = BufWriter::new(out);
+    out.write_all(whole.text().as_bytes()).map_err(unwritten)?;
     for index in 0..count {
         let shard = Shard { index, count };
         let mut these = shards.iter().filter(|(.., one)| *one == shard);
@@ -93,35 +100,23 @@ pub fn merge(paths: &[PathBuf], out: &mut impl Write, place: &Path) -> Result<Su
         if let Some((path, ..)) = these.next() {
             return Err(MergeError::Twice((*path).clone(), shard));
         }
-        append(path, grid, shard, &mut survey, &mut rows, place)?;
+        let (lines, _) = open(path)?;
+        let cells = shard.cells(grid.cells());
+        let mut rows = Rows::new(lines, grid.clone(), cells.start);
+        let wrong = |error| CheckpointError::Table((*path).clone(), error);
+        for cell in cells.clone() {
+            let Some((_, outcomes)) = rows.next_cell().map_err(wrong)? else {
+                let (done, all) = (cell - cells.start, cells.end - cells.start);
+                return Err(MergeError::Unfinished((*path).clone(), done, all));
+            };
+            survey.add(cell, &outcomes);
+            each(grid, cell, &outcomes);
+            out.write_all(rows.text().as_bytes()).map_err(unwritten)?;
+        }
+        rows.end().map_err(wrong)?;
     }
-    let flushed = rows.into_inner().map(drop);
-    flushed.map_err(|error| OutputError::new(place, error))?;
+    out.flush().map_err(unwritten)?;
     Ok(survey)
-}
-
-fn append(
-    path: &Path,
-    grid: &Grid,
-    shard: Shard,
-    survey: &mut Survey,
-    out: &mut Records<impl Write>,
-    place: &Path,
-) -> Result<(), MergeError> {
-    let (lines, _) = open(path)?;
-    let cells = shard.cells(grid.cells());
-    let mut rows = Rows::new(lines, grid.clone(), cells.start);
-    let wrong = |error| CheckpointError::Table(path.to_owned(), error);
-    for cell in cells.clone() {
-        let row = rows.next_cell().map_err(wrong)?;
-        let Some((_, outcomes)) = row else {
-            let (done, all) = (cell - cells.start, cells.end - cells.start);
-            return Err(MergeError::Unfinished(path.to_owned(), done, all));
-        };
-        survey.add(cell, &outcomes);
-        table::write(out, grid, cell, &outcomes).map_err(|error| OutputError::new(place, error))?;
-    }
-    Ok(rows.end().map_err(wrong)?)
 }
 
 fn open(path: &Path) -> Result<(BufReader<File>, TableHeader), CheckpointError> {

@@ -4,7 +4,7 @@
 //! It is the map's only file of numbers: cells in it need not be computed again. While it is unfinished its rows have one
 //! column more, their checksum.
 
-use std::fmt;
+use std::fmt::{self, Write as _};
 use std::io::{self, BufRead, Read, Write};
 
 use super::axis::Axis;
@@ -260,13 +260,16 @@ pub struct Rows<R> {
     /// What the checksums of an unfinished table begin with.
     seal: Option<Checksum>,
     line: Vec<u8>,
+    /// The rows of the last cell, as [`write`] writes them.
+    text: String,
     read: u64,
 }
 
 impl<R: BufRead> Rows<R> {
     /// The rows that follow in `lines` from cell `first` on.
     pub fn new(lines: R, grid: Grid, first: u64) -> Self {
-        Self { lines, grid, cell: first, seal: None, line: Vec::new(), read: 0 }
+        let (line, text) = Default::default();
+        Self { lines, grid, cell: first, seal: None, line, text, read: 0 }
     }
 
     /// The same of an unfinished table with this head, whose rows have checksums.
@@ -279,12 +282,18 @@ impl<R: BufRead> Rows<R> {
         self.read
     }
 
+    /// The rows of the cell that was returned last.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The next cell and its outcome under each stabilizer; none where the table ends, even in the middle of a row.
     ///
     /// # Errors
     /// A row of another cell, one that no map has or that was changed, and a reader that fails.
     pub fn next_cell(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
         let (mut outcomes, mut bytes) = (Vec::new(), 0);
+        self.text.clear();
         let [x, y] = self.grid.values(self.cell).map(|value| format!("{value:?}"));
         for index in 0..self.grid.stabilizers.len() {
             let row = self.cell * self.grid.stabilizers.len() as u64 + index as u64 + 1;
@@ -298,6 +307,8 @@ impl<R: BufRead> Rows<R> {
             let start = format!("{x},{y},{},", self.grid.stabilizers[index]);
             let outcome = text.strip_prefix(&start).and_then(outcome);
             outcomes.push(outcome.ok_or_else(|| TableError::Row { row, text: text.to_string() })?);
+            self.text.push_str(&text);
+            self.text.push('\n');
         }
         self.read += bytes;
         self.cell += 1;
@@ -329,12 +340,15 @@ fn outcome(text: &str) -> Option<Outcome> {
     let verdict = Verdict::of_word(fields.next()?)?;
     let verdict_by = Yardstick::of_word(fields.next()?)?;
     let mut numbers = [None; Measure::ALL.len()];
+    let mut written = String::new();
     for number in &mut numbers {
         let field = fields.next()?;
         if !field.is_empty() {
             let read = field.parse::<f64>().ok()?;
             // As it was written: without a sign at 0.
-            if format!("{:?}", read + 0.0) != field {
+            written.clear();
+            write!(written, "{:?}", read + 0.0).ok()?;
+            if written != field {
                 return None;
             }
             *number = Some(read);
