@@ -120,9 +120,11 @@ def _connect() -> None:
 def _count(whole: int, timed: Callable[[int], Any]) -> int:
     """The number of shards of `whole` cells or members that take some seconds each, by a trial of a few."""
     share = max(1, whole // 64)
-    while (seconds := ray.get(timed(share))) < TRIAL and share > 1:
+    while True:
+        seconds: float = ray.get(timed(share))
+        if seconds >= TRIAL or share == 1:
+            return max(1, min(whole, math.ceil(share * seconds / SECONDS)))
         share = max(1, share // 8)
-    return max(1, min(whole, math.ceil(share * seconds / SECONDS)))
 
 
 def _begun(folder: Path) -> int | None:
