@@ -3,6 +3,7 @@
 mod exact;
 mod limits;
 mod linear_part;
+pub mod llewellyn;
 mod loop_map;
 mod pair;
 mod passivity;

@@ -1,6 +1,7 @@
 //! Stiffness limits of a scene, by formula: `lyapunov bound`.
 //!
-//! [`Limits::of`] a scene holds them all; they are about its [`LinearPart`].
+//! [`Limits::of`] a scene holds them all; they are about its [`LinearPart`]. [`llewellyn`] is for two-ports, which
+//! scenes do not have.
 //!
 //! ```
 //! use lyapunov_lab::Scene;
@@ -19,7 +20,7 @@ mod picture;
 mod report;
 mod table;
 
-pub use crate::measure::linear::{NotLinear, VelocitySource};
+pub use crate::measure::linear::{NotLinear, VelocitySource, llewellyn};
 pub use crate::measure::{Limits, LinearPart};
 pub use picture::RadiusCurve;
 pub use report::page;
