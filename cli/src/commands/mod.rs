@@ -171,7 +171,9 @@ pub(crate) fn shown(bar: ProgressBar, template: &str, quiet: bool) -> ProgressBa
 
 /// Prints a result on standard output.
 pub(crate) fn print(text: impl Display) -> Result<(), End> {
-    io::stdout().lock().write_all(text.to_string().as_bytes()).map_err(standard_output)
+    let mut out = io::stdout().lock();
+    let written = out.write_all(text.to_string().as_bytes());
+    written.and_then(|()| out.flush()).map_err(standard_output)
 }
 
 /// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.

@@ -33,8 +33,8 @@ SECONDS = 5.0
 """Time that a shard takes, about: what a killed worker loses, and long beside the cost of a task."""
 
 TRIAL = 0.5
-"""Time that the trial from which shards are cut takes at least, if not everything is done sooner: what every shard begins with is
-short beside it."""
+"""Time that the trial takes at least by which shards are cut, where the whole takes that long: what each shard begins with is short
+beside it."""
 
 RETRIES = 100
 """Times that a shard is begun again whose worker or node was lost."""
@@ -118,7 +118,7 @@ def _connect() -> None:
 
 
 def _count(whole: int, timed: Callable[[int], Any]) -> int:
-    """The number of shards of `whole` cells or members that take some seconds each, by a trial of a few."""
+    """The number of shards of `whole` cells or members that take some seconds each, by a trial of a larger and larger share."""
     share = max(1, whole // 64)
     while True:
         seconds: float = ray.get(timed(share))
