@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use lyapunov::stabilizers::{StabilizerExt, WatchdogTimes};
+use lyapunov::stabilizers::{Plausibility, StabilizerExt, WatchdogTimes};
 use lyapunov::{
     DampingLimit, HeldTick, ParameterError, Popc, PortEnergy, PortSample, Reading, Readings,
     Stabilizer,
@@ -16,6 +16,7 @@ use lyapunov::{
 use thread_priority::ThreadPriority;
 
 const STIFFNESS: f64 = 800.0; // N/m
+const PLAUSIBLE: Plausibility<f64> = Plausibility { speed: 10.0, effort: 100.0 }; // m/s, N
 
 /// Times of every tick, ns.
 struct Times {
@@ -76,7 +77,7 @@ fn report(ticks: usize) -> Result<u64, ParameterError> {
         let limit = DampingLimit::of_mass(0.5, 0.2, 1.0 / rate)?;
         let times = WatchdogTimes { hold: 5.0 / rate, rise: 0.1 };
         let mut readings = Readings::every(1.0 / rate)?.no_faster_than(10.0)?;
-        let mut popc = Popc::new(PortEnergy, limit).watched(times)?;
+        let mut popc = Popc::new(PortEnergy, limit).plausible(PLAUSIBLE)?.watched(times)?;
         let stabilized = |position: f64, applied: f64| {
             let sample = readings.read(Reading { position, applied }).sample;
             popc.stabilize(&sample, STIFFNESS * sample.position).effort
@@ -127,35 +128,45 @@ fn nanoseconds(time: Duration) -> u32 {
     time.as_nanos().try_into().unwrap_or(u32::MAX)
 }
 
-/// Prints the time of a step of POPC for inputs of each kind: the fastest of many rounds.
+/// Prints the time of a step for inputs of each kind, of POPC by itself and of plausible samples only.
 fn mixes() -> Result<(), ParameterError> {
-    let tick = |size: f64, applied: f64| {
-        let (position, velocity, displacement) = (size, size, 1e-3 * size);
+    let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+    mixed("POPC", popc);
+    mixed("POPC that sees plausible samples only", popc.plausible(PLAUSIBLE)?);
+    Ok(())
+}
+
+/// The fastest of many rounds of each kind.
+fn mixed<S: Stabilizer<f64> + Copy>(name: &str, stabilizer: S) {
+    let tick = |velocity: f64, displacement: f64, applied: f64| {
+        let position = velocity;
         HeldTick { period: 1e-3, position, velocity, displacement, applied }.sample()
     };
-    let kinds: [(&str, PortSample<f64>, f64); 5] = [
-        ("ordinary, absorbing", tick(0.1, 2.0), 1.0),
-        ("saturated: a debt beyond the limit", tick(0.1, -2e3), 1.0),
-        ("as large as can be", tick(f64::MAX, f64::MAX), f64::MAX),
-        ("subnormal", tick(5e-324, 5e-324), 5e-324),
-        ("NaN", tick(f64::NAN, f64::NAN), f64::NAN),
+    let tiny = 5e-324;
+    let kinds: [(&str, PortSample<f64>, f64); 8] = [
+        ("ordinary, absorbing", tick(0.1, 1e-4, 2.0), 1.0),
+        ("a debt beyond the limit", tick(0.1, 1e-4, -90.0), 1.0),
+        ("an absurd debt", tick(0.1, 1e-4, -2e3), 1.0),
+        ("as large as can be", tick(f64::MAX, 1e-3 * f64::MAX, f64::MAX), f64::MAX),
+        ("NaN", tick(f64::NAN, f64::NAN, f64::NAN), f64::NAN),
+        ("subnormal velocity", tick(tiny, 1e-4, 2.0), 1.0),
+        ("subnormal work", tick(0.1, tiny, 2.0), 1.0),
+        ("all subnormal", tick(tiny, tiny, tiny), tiny),
     ];
-    let popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
-    let mut fastest = [f64::INFINITY; 5];
+    let mut fastest = [f64::INFINITY; 8];
     for _ in 0..400 {
         for ((_, sample, effort), fastest) in kinds.iter().zip(&mut fastest) {
-            let (mut popc, rounds) = (popc, 1000);
+            let (mut stabilizer, rounds) = (stabilizer, 1000);
             let start = Instant::now();
             for _ in 0..rounds {
-                black_box(popc.stabilize(black_box(sample), black_box(*effort)));
+                black_box(stabilizer.stabilize(black_box(sample), black_box(*effort)));
             }
             *fastest = (1e9 / f64::from(rounds) * start.elapsed().as_secs_f64()).min(*fastest);
         }
     }
     let least = fastest.into_iter().fold(f64::INFINITY, f64::min);
-    println!("a step of POPC by inputs, fastest of 400 rounds");
+    println!("a step of {name} by inputs, fastest of 400 rounds");
     for ((kind, ..), time) in kinds.iter().zip(fastest) {
         println!("  {kind:36}{time:8.2} ns, {:.3} of the fastest", time / least);
     }
-    Ok(())
 }

@@ -42,6 +42,10 @@ impl<T: Scalar> Plausibility<T> {
 /// sample that was only unexpected has to be booked. It belongs outside the shaping and inside a
 /// [watchdog](crate::Watchdog).
 ///
+/// What no device can resolve is 0 to the stabilizer inside, whatever the limits: on each axis a velocity, a
+/// displacement or an applied effort below 2⁻⁵¹ (4·10⁻¹⁶ m/s, m, N), and a work below the square of that. Smaller numbers
+/// have subnormal products, for which a processor may take several times as long (docs/embedded.md).
+///
 /// ```
 /// use lyapunov_core::{HeldTick, PortEnergy, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::{Account, DampingLimit, Plausibility, Popc, StabilizerExt};
@@ -69,12 +73,23 @@ impl<S, T: Scalar> Plausible<S, T> {
 
 impl<S, T> StabilizerExt for Plausible<S, T> {}
 
-/// Mask of the lanes with an axis beyond `most`; a NaN is not, and is left to the stabilizer inside.
+/// NaN where an axis is beyond `most`, else -0, which changes no number that it is added to; a NaN is not beyond.
+///
+/// Added, not chosen: a compiler makes a branch of several choices by one mask.
 #[inline(always)]
-fn beyond<V: Signal>(signal: V, most: V::Scalar) -> <V::Scalar as Scalar>::Mask {
-    let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-    let count = signal.map(|axis| V::Scalar::choose(axis.magnitude().above(most), one, zero));
-    count.sum().above(zero)
+fn beyond<V: Signal>(signal: V, most: V::Scalar) -> V::Scalar {
+    let (nothing, all) = (V::Scalar::of(f64::NAN), V::Scalar::of(-0.0));
+    signal.map(|axis| V::Scalar::choose(axis.magnitude().above(most), nothing, all)).sum()
+}
+
+/// Smallest velocity, displacement and applied effort that a stabilizer sees but 0; of work, its square.
+const LEAST: f64 = 2.0 * f64::EPSILON;
+
+/// The signal, with 0 on axes below `least`; a NaN stays.
+#[inline(always)]
+fn resolved<V: Signal>(signal: V, least: f64) -> V {
+    let (zero, least) = (V::Scalar::of(0.0), V::Scalar::of(least));
+    signal.map(|axis| V::Scalar::choose(axis.magnitude().below(least), zero, axis))
 }
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Plausible<S, V::Scalar> {
@@ -83,17 +98,18 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Plausible<S, V::Scalar> {
         let Plausibility { speed, effort: strongest } = self.limits;
         let reach = speed * sample.period;
         let absurd = beyond(sample.velocity, speed)
-            | beyond(sample.displacement, reach)
-            | beyond(sample.applied, strongest)
-            | beyond(sample.work, strongest * reach);
-        let nothing = V::splat(V::Scalar::of(f64::NAN));
+            + beyond(sample.displacement, reach)
+            + beyond(sample.applied, strongest)
+            + beyond(sample.work, strongest * reach);
         let seen = PortSample {
-            velocity: V::choose(absurd, nothing, sample.velocity),
-            work: V::choose(absurd, nothing, sample.work),
+            velocity: resolved(sample.velocity, LEAST) + V::splat(absurd),
+            displacement: resolved(sample.displacement, LEAST),
+            applied: resolved(sample.applied, LEAST),
+            work: resolved(sample.work, LEAST * LEAST) + V::splat(absurd),
             ..*sample
         };
-        let refused = absurd | beyond(effort, strongest);
-        self.stabilizer.stabilize(&seen, V::choose(refused, nothing, effort))
+        let refused = absurd + beyond(effort, strongest);
+        self.stabilizer.stabilize(&seen, effort + V::splat(refused))
     }
 }
 

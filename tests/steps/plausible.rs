@@ -1,7 +1,7 @@
 //! Bounds of plausible samples, from both sides.
 
 use lyapunov::{
-    Dissipation, Lolc, PortSample, Stabilizer,
+    Correction, Dissipation, Lolc, PortSample, Stabilizer,
     stabilizers::{Plausibility, StabilizerExt},
 };
 
@@ -77,5 +77,41 @@ fn changed_limits_hold() {
         assert!(member.set_plausibility(limits(f64::NAN)).is_err());
         assert_eq!(member.plausibility(), limits(speed));
         assert_eq!(member.stabilize(&moving, 0.0).accepted, passes, "{speed} m/s");
+    }
+}
+
+/// Stabilizer that answers with one field of what it sees.
+struct Echo(fn(&PortSample<f64>) -> f64);
+
+impl Stabilizer<f64> for Echo {
+    fn stabilize(&mut self, sample: &PortSample<f64>, _effort: f64) -> Correction<f64> {
+        Correction { effort: (self.0)(sample), accepted: true, ..Correction::default() }
+    }
+}
+
+impl StabilizerExt for Echo {}
+
+/// What no device resolves is 0 inside, of either sign; the next number is seen, and a NaN stays one.
+#[test]
+fn what_nothing_resolves_is_zero() {
+    let least = f64::powi(2.0, -51);
+    let fields: [(fn(&PortSample<f64>) -> f64, f64); 4] = [
+        (|sample| sample.velocity, least),
+        (|sample| sample.displacement, least),
+        (|sample| sample.applied, least),
+        (|sample| sample.work, least * least),
+    ];
+    for (field, least) in fields {
+        let limits = Plausibility { speed: 8.0, effort: 16.0 };
+        let mut member = Echo(field).plausible(limits).expect("limits");
+        let mut seen = |size: f64| {
+            let rest = PortSample::starting(0.25, size, size);
+            let sample = PortSample { displacement: size, applied: size, work: size, ..rest };
+            member.stabilize(&sample, 0.0).effort
+        };
+        let beneath = f64::next_down(least);
+        let sizes = [least, -least, beneath, -beneath, 5e-324];
+        assert_eq!(sizes.map(&mut seen), [least, -least, 0.0, 0.0, 0.0]);
+        assert!(seen(f64::NAN).is_nan());
     }
 }

@@ -50,14 +50,6 @@ fn plain<T: Real>(members: &mut Vec<Member>) {
             stored::<T, _>(bytes, Damps(most), Ok(popc.summed_in::<Compensated<T>>()))
         },
     });
-    members.push(Member {
-        name: "popc-member",
-        run: |bytes| {
-            let popc = popc::<T>(bytes)?;
-            let member: lyapunov_stabilizers::Member<T> = lyapunov_stabilizers::Member::Popc(popc);
-            stored::<T, _>(bytes, Damps(popc.limit().most()), Ok(member))
-        },
-    });
 }
 
 fn credit<T: Real>(members: &mut Vec<Member>) {

@@ -2,6 +2,7 @@
 
 mod bounding;
 mod channel;
+mod chosen;
 mod damping;
 mod several_axes;
 
@@ -29,6 +30,7 @@ pub fn members<T: Real>() -> Vec<Member> {
     bounding::list::<T>(&mut members);
     channel::list::<T>(&mut members);
     several_axes::list::<T>(&mut members);
+    chosen::list::<T>(&mut members);
     members
 }
 
