@@ -208,7 +208,8 @@ fn of_every_signal<V: Axes>() -> Vec<Member> {
         Member { name: "popc-directed", kind: Kind::Shapes, seen: directed::<V> },
         Member {
             name: "popc-plausible",
-            kind: Kind::Damps,
+            // An axis that nothing resolves is at rest for what is inside.
+            kind: Kind::Shapes,
             seen: || {
                 let most = |name: &str| parameter(name, Requirement::Limit, 1e6);
                 let limits = || Plausibility { speed: most("speed"), effort: most("strongest") };

@@ -273,10 +273,14 @@ fn loosely(node: Node) -> String {
     }
 }
 
-/// A constant of the code as a fraction; they are small numbers with few digits.
+/// A constant of the code as a fraction over a power of two; they are numbers with few digits.
 fn exact(number: f64) -> String {
-    let scaled = number.abs() * f64::from(1 << 20);
-    assert!(scaled.fract() == 0.0 && scaled < 1e15, "{number} is no constant of few digits");
-    let text = format!("(/ {scaled:.1} {}.0)", 1 << 20);
+    let (size, mut scale) = (number.abs(), 1.0);
+    while (size * scale).fract() != 0.0 {
+        scale *= 2.0;
+    }
+    let scaled = size * scale;
+    assert!(scaled < 1e15, "{number} is no constant of few digits");
+    let text = format!("(/ {scaled:.1} {scale:.1})");
     if number < 0.0 { format!("(- {text})") } else { text }
 }
