@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Check of docs/guarantees.md: every promise has evidence that is there, and that ran.
 
-    guarantees.py          the named tests exist and are not ignored, the named scripts are called by .ci/run
-    guarantees.py LOG      the same, and each test is told as passed in the log of `cargo test`
+    guarantees.py               the named tests exist and are not ignored, the named scripts are called by .ci/run
+    guarantees.py TESTS STEPS   the same; each test is told as passed in the log of `cargo test`, and each script has a step in
+                                the log of .ci/run: one that said SKIPPED is named, and fails nothing
 
-The README may use a word of promise only in a paragraph or row that leads to a page with evidence.
+The README and the other pages may promise only in a paragraph or row that leads to a page with evidence.
 """
 
 import re
@@ -14,8 +15,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/guarantees.md"
 LONGER = "## Longer, behind scripts"
-WORDS = re.compile(r"\b(no panic|panics?|never|always|guarantee[ds]?|promises?|bit for bit|proven|proved|cannot fail)\b", re.I)
-LEADS = re.compile(r"\]\(docs/(guarantees|proofs|hard|stabilizers|embedded)\.md")
+STRONG = r"no panic|panics?|guarantee[ds]?|proven|proved|cannot fail"
+# The README promises with more words than the other pages, which also describe.
+WORDS = {True: re.compile(rf"\b({STRONG}|never|always|promises?|bit for bit)\b", re.I), False: re.compile(rf"\b({STRONG})\b", re.I)}
+EVIDENCE = ["guarantees", "proofs", "hard", "stabilizers", "embedded"]
+LEADS = re.compile(rf"\]\((\.\./)*(docs/)?({'|'.join(EVIDENCE)})\.md")
+PAGES = ["README.md", "CONTRIBUTING.md", "bindings/c/README.md", "docs/*.md", "docs/effects/*.md"]
 
 
 def rows(text):
@@ -30,45 +35,68 @@ def rows(text):
         yield promise, cells[-1]
 
 
-def missing(evidence, called, log):
-    """What is wrong with a piece of evidence, or nothing."""
-    name, _, function = evidence.partition("::")
-    path = ROOT / name.split()[0]
-    if not path.is_file():
-        return "no such file"
-    if not function:
-        return None if re.search(rf"^\s*step {re.escape(name)}$", called, re.M) else "not called by .ci/run"
+def script_fault(name, steps):
+    """What is wrong with a script as evidence, or nothing; what was skipped is told."""
+    called = (ROOT / ".ci/run").read_text(encoding="utf-8")
+    if not re.search(rf"^\s*(step|evidence) {re.escape(name)}$", called, re.M):
+        return "not called by .ci/run"
+    if steps is None:
+        return None
+    step = re.search(rf"^== {re.escape(name)} \(after.*?^== took", steps, re.M | re.S)
+    if not step:
+        return "has no step that ended in the log"
+    for line in re.findall(r"^.*SKIPPED.*$", step[0], re.M):
+        print(f"not shown here, {name}: {line}")
+    return None
+
+
+def test_fault(path, function, tests):
+    """What is wrong with a test as evidence, or nothing."""
     found = re.search(rf"((?:^\s*#\[[^\n]*\]\n)*)^\s*(?:pub )?fn {function}\(", path.read_text(encoding="utf-8"), re.M)
     if not found or "#[test]" not in found[1]:
         return "no such test"
     if "#[ignore" in found[1]:
         return "the test is ignored"
-    if log is not None and not re.search(rf"^test (\S+::)?{function}( - should panic)? \.\.\. ok$", log, re.M):
+    # In the root file of its target it has no module.
+    place = rf"((\S+::)?{path.stem}::(tests::)?)?"
+    if tests is not None and not re.search(rf"^test {place}{function}( - should panic)? \.\.\. ok$", tests, re.M):
         return "the test did not run, or failed"
     return None
 
 
-def unfounded(text):
-    """Paragraphs and rows of the README that promise and lead to no evidence."""
-    text = re.sub(r"```.*?```", "", text, flags=re.S)
+def missing(evidence, tests, steps):
+    """What is wrong with a piece of evidence, or nothing."""
+    name, _, function = evidence.partition("::")
+    path = ROOT / name.split()[0]
+    if not path.is_file():
+        return "no such file"
+    return test_fault(path, function, tests) if function else script_fault(name, steps)
+
+
+def unfounded(page):
+    """Paragraphs and rows of a page that promise and lead to no evidence."""
+    text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.S)
+    words = WORDS[page.name == "README.md" and page.parent == ROOT]
     blocks = re.split(r"\n\s*\n|\n(?=[|-])", text)
-    return [block.strip() for block in blocks if WORDS.search(block) and not LEADS.search(block)]
+    return [block.strip() for block in blocks if words.search(block) and not LEADS.search(block)]
 
 
 def main():
-    log = Path(sys.argv[1]).read_text(encoding="utf-8", errors="replace") if len(sys.argv) > 1 else None
-    called = (ROOT / ".ci/run").read_text(encoding="utf-8")
+    logs = [Path(name).read_text(encoding="utf-8", errors="replace") for name in sys.argv[1:]]
+    tests, steps = logs or (None, None)
     wrong, count = [], 0
     for promise, cell in rows(PAGE.read_text(encoding="utf-8")):
         pieces = re.findall(r"`([^`]+)`", cell)
         count += len(pieces)
         wrong += [] if pieces else [f"no evidence: {promise}"]
         for piece in pieces:
-            fault = missing(piece, called, log)
+            fault = missing(piece, tests, steps)
             wrong += [f"{piece}: {fault}, of: {promise}"] if fault else []
-    for block in unfounded((ROOT / "README.md").read_text(encoding="utf-8")):
-        wrong.append(f"README promises and leads to no evidence: {block[:100]}")
-    print("\n".join(wrong) or f"{count} pieces of evidence are there" + (" and ran" if log else ""))
+    for page in sorted(path for pattern in PAGES for path in ROOT.glob(pattern)):
+        if page.stem not in EVIDENCE:
+            name = page.relative_to(ROOT)
+            wrong += [f"{name} promises and leads to no evidence: {block[:100]}" for block in unfounded(page)]
+    print("\n".join(wrong) or f"{count} pieces of evidence are there" + (" and ran" if logs else ""))
     sys.exit(1 if wrong else 0)
 
 

@@ -2,6 +2,7 @@
 
 mod clock;
 mod exact;
+mod faults;
 mod gaps;
 mod jumps;
 mod lanes;

@@ -13,6 +13,9 @@ use super::table::{Rows, TableError, TableHeader};
 use crate::measure::runs::Outcome;
 use crate::show::OutputError;
 
+/// Cells that are read together: their rows take some hundred kilobytes.
+const BLOCK: u64 = 1024;
+
 /// Reason why shards do not make a map.
 #[derive(Debug)]
 pub enum MergeError {
@@ -104,13 +107,18 @@ pub fn merge(
         let cells = shard.cells(grid.cells());
         let mut rows = Rows::new(lines, grid.clone(), cells.start);
         let wrong = |error| CheckpointError::Table((*path).clone(), error);
-        for cell in cells.clone() {
-            let Some((_, outcomes)) = rows.next_cell().map_err(wrong)? else {
+        let mut cell = cells.start;
+        while cell < cells.end {
+            let read = rows.next_cells(BLOCK.min(cells.end - cell)).map_err(wrong)?;
+            if read.is_empty() {
                 let (done, all) = (cell - cells.start, cells.end - cells.start);
                 return Err(MergeError::Unfinished((*path).clone(), done, all));
-            };
-            survey.add(cell, &outcomes);
-            each(grid, cell, &outcomes);
+            }
+            for outcomes in read {
+                survey.add(cell, &outcomes);
+                each(grid, cell, &outcomes);
+                cell += 1;
+            }
             out.write_all(rows.text().as_bytes()).map_err(unwritten)?;
         }
         rows.end().map_err(wrong)?;

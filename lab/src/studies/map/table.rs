@@ -7,6 +7,8 @@
 use std::fmt::{self, Write as _};
 use std::io::{self, BufRead, Read, Write};
 
+use rayon::prelude::*;
+
 use super::axis::Axis;
 use super::grid::Grid;
 use super::shard::Shard;
@@ -260,7 +262,7 @@ pub struct Rows<R> {
     /// What the checksums of an unfinished table begin with.
     seal: Option<Checksum>,
     line: Vec<u8>,
-    /// The rows of the last cell, as [`write`] writes them.
+    /// The rows of the last cells, as [`write`] writes them.
     text: String,
     read: u64,
 }
@@ -282,7 +284,7 @@ impl<R: BufRead> Rows<R> {
         self.read
     }
 
-    /// The rows of the cell that was returned last.
+    /// The rows of the cells that were returned last.
     pub(super) fn text(&self) -> &str {
         &self.text
     }
@@ -292,27 +294,53 @@ impl<R: BufRead> Rows<R> {
     /// # Errors
     /// A row of another cell, one that no map has or that was changed, and a reader that fails.
     pub fn next_cell(&mut self) -> Result<Option<(u64, Vec<Outcome>)>, TableError> {
-        let (mut outcomes, mut bytes) = (Vec::new(), 0);
         self.text.clear();
-        let [x, y] = self.grid.values(self.cell).map(|value| format!("{value:?}"));
-        for index in 0..self.grid.stabilizers.len() {
-            let row = self.cell * self.grid.stabilizers.len() as u64 + index as u64 + 1;
-            let Some(line) = next_line(&mut self.lines, &mut self.line)? else { return Ok(None) };
-            bytes += line.len() as u64 + 1;
-            let line = match self.seal {
-                Some(seal) => unsealed(line, seal).ok_or(TableError::Damaged { row })?,
-                None => line,
-            };
-            let text = String::from_utf8_lossy(line);
-            let start = format!("{x},{y},{},", self.grid.stabilizers[index]);
-            let outcome = text.strip_prefix(&start).and_then(outcome);
-            outcomes.push(outcome.ok_or_else(|| TableError::Row { row, text: text.to_string() })?);
-            self.text.push_str(&text);
-            self.text.push('\n');
-        }
+        let Some(bytes) = self.read_cell()? else { return Ok(None) };
+        let outcomes = outcomes(&self.grid, self.cell, &self.text)?;
         self.read += bytes;
         self.cell += 1;
         Ok(Some((self.cell - 1, outcomes)))
+    }
+
+    /// The outcomes of the next cells, at most `most` of them, which all cores read; none where the table ends.
+    ///
+    /// # Errors
+    /// Those of [`next_cell`](Self::next_cell).
+    pub(super) fn next_cells(&mut self, most: u64) -> Result<Vec<Vec<Outcome>>, TableError> {
+        self.text.clear();
+        let mut cells = Vec::new();
+        for _ in 0..most {
+            let start = self.text.len();
+            let Some(bytes) = self.read_cell()? else {
+                // Of a cell that is not whole.
+                self.text.truncate(start);
+                break;
+            };
+            cells.push((self.cell, start..self.text.len()));
+            self.read += bytes;
+            self.cell += 1;
+        }
+        let (grid, text) = (&self.grid, &self.text);
+        let read = cells.into_par_iter().map(|(cell, rows)| outcomes(grid, cell, &text[rows]));
+        // The first error is told, not the one that is found first.
+        read.collect::<Vec<_>>().into_iter().collect()
+    }
+
+    /// Adds the rows of the next cell to the text, and returns how many bytes they have in the table.
+    fn read_cell(&mut self) -> Result<Option<u64>, TableError> {
+        let (mut bytes, members) = (0, self.grid.stabilizers.len() as u64);
+        for row in 0..members {
+            let Some(line) = next_line(&mut self.lines, &mut self.line)? else { return Ok(None) };
+            bytes += line.len() as u64 + 1;
+            let line = match self.seal {
+                Some(seal) => unsealed(line, seal)
+                    .ok_or(TableError::Damaged { row: self.cell * members + row + 1 })?,
+                None => line,
+            };
+            self.text.push_str(&String::from_utf8_lossy(line));
+            self.text.push('\n');
+        }
+        Ok(Some(bytes))
     }
 
     /// Whether a row with a right checksum is among the rest of an unfinished table.
@@ -332,6 +360,20 @@ impl<R: BufRead> Rows<R> {
     pub(super) fn end(mut self) -> Result<(), TableError> {
         if self.lines.fill_buf()?.is_empty() { Ok(()) } else { Err(TableError::Excess) }
     }
+}
+
+/// The outcomes in the rows of a cell.
+fn outcomes(grid: &Grid, cell: u64, rows: &str) -> Result<Vec<Outcome>, TableError> {
+    let [x, y] = grid.values(cell).map(|value| format!("{value:?}"));
+    let first = cell * grid.stabilizers.len() as u64 + 1;
+    (first..)
+        .zip(rows.split_terminator('\n').zip(grid.stabilizers.iter()))
+        .map(|(row, (text, member))| {
+            let start = format!("{x},{y},{member},");
+            let outcome = text.strip_prefix(&start).and_then(outcome);
+            outcome.ok_or_else(|| TableError::Row { row, text: text.to_owned() })
+        })
+        .collect()
 }
 
 /// The outcome in the part of a row after the stabilizer's name; none of a text that [`write`] never writes.
