@@ -2,8 +2,8 @@
 
 use lyapunov_core::{HeldTick, PortEnergy, Requirement, Scalar, Snapshot, Stabilizer};
 use lyapunov_stabilizers::{
-    DampingLimit, EnergyBounding, EnergyTank, ForceBound, ForceBounding, LeastNorm, Lolc,
-    SlopeBound, Tank, TankLimits, WaveFilter, WaveTransform,
+    DampingLimit, EnergyBounding, EnergyTank, ForceBound, ForceBounding, LeastNorm, Lolc, Sharing,
+    SlopeBound, Tank, TankLimits, TwoLayer, TwoPortSide, WaveFilter, WaveTransform,
 };
 
 use nalgebra::SVector;
@@ -247,6 +247,48 @@ fn slope_bound() -> Vec<Path<Truth>> {
     })
 }
 
+/// Side of a two-port: `L` less what was received and booked is the energy of its port less what it tells as absorbed.
+///
+/// The other side books no more than that, so both sums together are no more than the energy of both ports.
+fn two_port() -> Vec<Path<Truth>> {
+    paths::every(|| {
+        let limit = DampingLimit::at(not_negative("limit")).expect("a limit");
+        let [received, booked, absorbed] = ["received", "booked", "absorbed"].map(not_negative);
+        let energy = free("energy");
+        let memory = ((received, booked, absorbed, free("asked before")), energy);
+        let mut side = TwoPortSide::<Of>::new(limit).restored(memory).expect("a memory");
+        let now = tick(positive("period"), free("applied"), free("moved"), "now");
+        side.stabilize(&now.sample(), free("asked"));
+        let ((_, booked_now, absorbed_now, _), energy_now) = side.state();
+        let told = absorbed_now - absorbed;
+        let port = now.applied * now.displacement;
+        equal(energy_now - booked_now, energy - booked + port - told)
+            & equal(booked_now, received)
+            & at_least(told, zero())
+    })
+}
+
+/// End of two layers: tank and what it sent, less what it received and booked, change by the energy of its port.
+fn two_layer() -> Vec<Path<Truth>> {
+    paths::every(|| {
+        let share = not_negative("share");
+        assume(!share.above(Of::of(1.0)));
+        let sharing = Sharing { start: zero(), share };
+        let end = TwoLayer::master(sharing, not_negative("level"), not_negative("gain"));
+        let [received, booked, sent] = ["received", "booked", "sent"].map(not_negative);
+        let energy = free("energy");
+        let mut end =
+            end.expect("an end").restored((energy, received, booked, sent)).expect("a memory");
+        let now = tick(positive("period"), free("applied"), free("moved"), "now");
+        end.stabilize(&now.sample(), free("asked"));
+        let (energy_now, _, booked_now, sent_now) = end.state();
+        let port = now.applied * now.displacement;
+        equal(energy_now + sent_now - booked_now, energy + sent - booked + port)
+            & equal(booked_now, received)
+            & at_least(sent_now, sent)
+    })
+}
+
 /// Waves: the power at the port is half the difference of their squares.
 fn waves() -> Vec<Path<Truth>> {
     paths::every(|| {
@@ -305,6 +347,8 @@ pub(crate) const CLAIMS: &[Claim] = &[
     Claim { name: "tank", paths: tank, cut: || None },
     Claim { name: "energy-tank", paths: energy_tank, cut: || None },
     Claim { name: "least-norm", paths: least_norm, cut: || None },
+    Claim { name: "two-port", paths: two_port, cut: || None },
+    Claim { name: "two-layer", paths: two_layer, cut: || None },
     Claim { name: "wave-transform", paths: waves, cut: || None },
     Claim { name: "wave-filter", paths: filtered, cut: || None },
 ];

@@ -1,12 +1,13 @@
 //! Members: the family, each with any parameters, any memory and any sample.
 
 use lyapunov_core::{
-    Compensated, Dissipation, Held, Mask, Plain, PortEnergy, Requirement, Scalar, Signal,
+    Compensated, Dissipation, Held, InContact, Mask, Plain, PortEnergy, Requirement, Scalar, Signal,
 };
 use lyapunov_stabilizers::{
     AlongDirection, AxisWeights, DampingLimit, DirectedDamping, EnergyBounding, ForceBound,
     ForceBounding, LeastNorm, Lolc, MemoryBased, NoStabilizer, PathMemory, PerAxis, Plausibility,
-    Popc, SlopeBound, StabilizerExt, Tank, TankLimits, WatchdogTimes, WindowedCredit,
+    Popc, Sharing, SlopeBound, StabilizerExt, Tank, TankLimits, TwoLayer, TwoPortSide,
+    WatchdogTimes, WindowedCredit,
 };
 use nalgebra::{SVector, Vector3};
 
@@ -109,6 +110,19 @@ fn weighted<V: Axes>() -> Vec<Seen> {
         damps(DirectedDamping::new(popc(), weights, limit()))
     };
     step::<V, _>(made, nothing_more)
+}
+
+fn two_layer<V: Axes>() -> Vec<Seen> {
+    let made = || {
+        let share = not_negative("share");
+        assume(meets(Requirement::AtMost(1.0), share));
+        let sharing = Sharing { start: Of::of(0.0), share };
+        let end = TwoLayer::master(sharing, not_negative("level"), not_negative("gain"));
+        other(end.expect("an end"))
+    };
+    step::<V, _>(made, |(_, received, booked, sent)| {
+        none_negative(&Vector3::new(*received, *booked, *sent))
+    })
 }
 
 /// The members that serve every signal.
@@ -246,6 +260,19 @@ fn of_every_signal<V: Axes>() -> Vec<Member> {
             },
         },
         Member {
+            name: "two-port",
+            kind: Kind::Serves,
+            seen: || {
+                step::<V, _>(
+                    || damps(TwoPortSide::<V>::new(limit())),
+                    |((received, booked, absorbed, _), _)| {
+                        none_negative(&Vector3::new(*received, *booked, *absorbed))
+                    },
+                )
+            },
+        },
+        Member { name: "two-layer", kind: Kind::Any, seen: two_layer::<V> },
+        Member {
             name: "force-bound",
             kind: Kind::Reduces,
             seen: || {
@@ -296,6 +323,14 @@ fn of_every_signal<V: Axes>() -> Vec<Member> {
 /// The members on one axis.
 pub(crate) fn on_one_axis() -> Vec<Member> {
     let mut members = of_every_signal::<Of>();
+    members.push(Member {
+        name: "popc-contact-reset",
+        kind: Kind::Serves,
+        seen: || {
+            let contact = || InContact { position: parameter("surface", Requirement::Finite, 0.0) };
+            step::<Of, _>(|| damps(popc().reset_at(contact())), nothing_more)
+        },
+    });
     members.push(Member {
         name: "memory-based",
         kind: Kind::Any,

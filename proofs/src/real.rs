@@ -1,12 +1,13 @@
 //! Test that the tape is the step: evaluated with numbers it has the bits of the real one.
 
 use lyapunov_core::{
-    Compensated, Correction, Dissipation, ParameterError, PortEnergy, PortSample, Scalar, Snapshot,
-    Stabilizer,
+    Compensated, Correction, Dissipation, InContact, ParameterError, PortEnergy, PortSample,
+    Scalar, Snapshot, Stabilizer,
 };
 use lyapunov_stabilizers::{
     DampingLimit, EnergyBounding, ForceBound, ForceBounding, LeastNorm, Lolc, NoStabilizer,
-    Plausibility, Popc, StabilizerExt, Tank, TankLimits, WatchdogTimes,
+    Plausibility, Popc, Sharing, StabilizerExt, Tank, TankLimits, TwoLayer, TwoPortSide,
+    WatchdogTimes,
 };
 use nalgebra::SVector;
 
@@ -64,9 +65,9 @@ impl Numbers {
         }
     }
 
-    /// A number that a constructor may accept.
+    /// A number that a constructor may accept; ordinary ones are below 1, as a share has to be.
     fn parameter<T: Real>(self, name: &str) -> T {
-        self.of::<T>(name).magnitude()
+        self.of::<T>(name).magnitude() * T::of(1.0 / 128.0)
     }
 
     fn any<T: Real>(self, name: &str) -> T {
@@ -75,7 +76,7 @@ impl Numbers {
 }
 
 /// The names of parameters, none of which may be below 0.
-const PARAMETERS: [&str; 16] = [
+const PARAMETERS: [&str; 19] = [
     "limit",
     "damping",
     "most",
@@ -92,6 +93,9 @@ const PARAMETERS: [&str; 16] = [
     "floor",
     "ceiling",
     "power",
+    "share",
+    "level",
+    "gain",
 ];
 
 /// A step of SplitMix64.
@@ -229,6 +233,10 @@ fn damping<T: Real>() -> Vec<(&'static str, Step<T>)> {
 
 fn shaping<T: Real>() -> Vec<(&'static str, Step<T>)> {
     vec![
+        ("popc-contact-reset", |of| {
+            let contact = InContact { position: of.any::<T>("surface") };
+            step(of, popc::<T>(of).map(|it| it.reset_at(contact)))
+        }),
         ("popc-bounded", |of| step(of, popc::<T>(of).and_then(|it| it.bounded(of.any("most"))))),
         ("popc-threshold", |of| {
             step(of, popc::<T>(of).and_then(|it| it.above_velocity(of.any("threshold"))))
@@ -251,6 +259,11 @@ fn shaping<T: Real>() -> Vec<(&'static str, Step<T>)> {
 
 fn bounding<T: Real>() -> Vec<(&'static str, Step<T>)> {
     vec![
+        ("two-port", |of| step(of, limit::<T>(of).map(TwoPortSide::new))),
+        ("two-layer", |of| {
+            let sharing = Sharing { start: T::of(0.0), share: of.any("share") };
+            step(of, TwoLayer::master(sharing, of.any("level"), of.any("gain")))
+        }),
         ("force-bound", |of| step(of, ForceBound::<T>::new(of.any("damping")))),
         ("force-bounding", |of| {
             let made: Result<ForceBounding<T>, _> = ForceBounding::of_damping(of.any("damping"));

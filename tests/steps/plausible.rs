@@ -80,12 +80,12 @@ fn changed_limits_hold() {
     }
 }
 
-/// Stabilizer that answers with one field of what it sees.
-struct Echo(fn(&PortSample<f64>) -> f64);
+/// Stabilizer that answers with one number of what it sees.
+struct Echo(fn(&PortSample<f64>, f64) -> f64);
 
 impl Stabilizer<f64> for Echo {
-    fn stabilize(&mut self, sample: &PortSample<f64>, _effort: f64) -> Correction<f64> {
-        Correction { effort: (self.0)(sample), accepted: true, ..Correction::default() }
+    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
+        Correction { effort: (self.0)(sample, effort), accepted: true, ..Correction::default() }
     }
 }
 
@@ -95,11 +95,11 @@ impl StabilizerExt for Echo {}
 #[test]
 fn what_nothing_resolves_is_zero() {
     let least = f64::powi(2.0, -51);
-    let fields: [(fn(&PortSample<f64>) -> f64, f64); 4] = [
-        (|sample| sample.velocity, least),
-        (|sample| sample.displacement, least),
-        (|sample| sample.applied, least),
-        (|sample| sample.work, least * least),
+    let fields: [(fn(&PortSample<f64>, f64) -> f64, f64); 4] = [
+        (|sample, _| sample.velocity, least),
+        (|sample, _| sample.displacement, least),
+        (|sample, _| sample.applied, least),
+        (|sample, _| sample.work, least * least),
     ];
     for (field, least) in fields {
         let limits = Plausibility { speed: 8.0, effort: 16.0 };
@@ -113,5 +113,16 @@ fn what_nothing_resolves_is_zero() {
         let sizes = [least, -least, beneath, -beneath, 5e-324];
         assert_eq!(sizes.map(&mut seen), [least, -least, 0.0, 0.0, 0.0]);
         assert!(seen(f64::NAN).is_nan());
+    }
+}
+
+/// What is asked passes with its bits, the sign of 0 too.
+#[test]
+fn a_plausible_effort_keeps_its_bits() {
+    let limits = Plausibility { speed: 8.0, effort: 16.0 };
+    let mut member = Echo(|_, effort| effort).plausible(limits).expect("limits");
+    let rest = PortSample::starting(0.25, 0.0, 0.0);
+    for asked in [0.0, -0.0, 16.0, -5e-324] {
+        assert_eq!(member.stabilize(&rest, asked).effort.to_bits(), f64::to_bits(asked));
     }
 }
