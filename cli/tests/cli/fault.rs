@@ -91,9 +91,9 @@ fn a_fault_of_any_call_leaves_whole_files_and_is_told() {
         return;
     }
     is_told(&["run", "scene.toml"]);
-    is_told(&["compare", "scene.toml", "--stabilizers", "none,popc"]);
+    is_told(&["explain", "scene.toml"]);
     is_told(&["map", "scene.toml", "--x", "environment.wall.stiffness=500..20000:3"]);
-    is_told(&["tune", "scene.toml", "--stabilizers", "popc", "--trials", "2", "--runs", "1"]);
+    is_told(&["tune", "scene.toml", "--stabilizers", "popc", "--trials", "2", "--runs", "2"]);
 }
 
 #[test]
