@@ -143,17 +143,19 @@ fn mixed<S: Stabilizer<f64> + Copy>(name: &str, stabilizer: S) {
         HeldTick { period: 1e-3, position, velocity, displacement, applied }.sample()
     };
     let tiny = 5e-324;
-    let kinds: [(&str, PortSample<f64>, f64); 8] = [
+    let short = PortSample { period: tiny, ..tick(0.1, 0.0, 2.0) };
+    let kinds: [(&str, PortSample<f64>, f64); 9] = [
         ("ordinary, absorbing", tick(0.1, 1e-4, 2.0), 1.0),
         ("a debt beyond the limit", tick(0.1, 1e-4, -90.0), 1.0),
         ("an absurd debt", tick(0.1, 1e-4, -2e3), 1.0),
-        ("as large as can be", tick(f64::MAX, 1e-3 * f64::MAX, f64::MAX), f64::MAX),
+        ("as large as can be, infinite work", tick(f64::MAX, 1e-3 * f64::MAX, f64::MAX), f64::MAX),
         ("NaN", tick(f64::NAN, f64::NAN, f64::NAN), f64::NAN),
         ("subnormal velocity", tick(tiny, 1e-4, 2.0), 1.0),
         ("subnormal work", tick(0.1, tiny, 2.0), 1.0),
-        ("all subnormal", tick(tiny, tiny, tiny), tiny),
+        ("subnormal period", short, 1.0),
+        ("all subnormal", PortSample { period: tiny, ..tick(tiny, tiny, tiny) }, tiny),
     ];
-    let mut fastest = [f64::INFINITY; 8];
+    let mut fastest = [f64::INFINITY; 9];
     for _ in 0..400 {
         for ((_, sample, effort), fastest) in kinds.iter().zip(&mut fastest) {
             let (mut stabilizer, rounds) = (stabilizer, 1000);

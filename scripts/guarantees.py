@@ -3,9 +3,10 @@
 
     guarantees.py               the named tests exist and are not ignored, the named scripts are called by .ci/run
     guarantees.py TESTS STEPS   the same; each test is told as passed in the log of `cargo test`, and each script has a step in
-                                the log of .ci/run: one that said SKIPPED is named, and fails nothing
+                                the log of .ci/run; what said SKIPPED is named, and fails nothing
 
-The README and the other pages may promise only in a paragraph or row that leads to a page with evidence.
+The README, the contributing page and those pages of docs that are no evidence themselves may promise only in a paragraph or row
+that leads to a page with evidence.
 """
 
 import re
@@ -17,7 +18,8 @@ PAGE = ROOT / "docs/guarantees.md"
 LONGER = "## Longer, behind scripts"
 STRONG = r"no panic|panics?|guarantee[ds]?|proven|proved|cannot fail"
 # The README promises with more words than the other pages, which also describe.
-WORDS = {True: re.compile(rf"\b({STRONG}|never|always|promises?|bit for bit)\b", re.I), False: re.compile(rf"\b({STRONG})\b", re.I)}
+README_WORDS = re.compile(rf"\b({STRONG}|never|always|promises?|bit for bit)\b", re.I)
+WORDS = re.compile(rf"\b({STRONG})\b", re.I)
 EVIDENCE = ["guarantees", "proofs", "hard", "stabilizers", "embedded"]
 LEADS = re.compile(rf"\]\((\.\./)*(docs/)?({'|'.join(EVIDENCE)})\.md")
 PAGES = ["README.md", "CONTRIBUTING.md", "bindings/c/README.md", "docs/*.md", "docs/effects/*.md"]
@@ -36,7 +38,7 @@ def rows(text):
 
 
 def script_fault(name, steps):
-    """What is wrong with a script as evidence, or nothing; what was skipped is told."""
+    """What is wrong with a script as evidence, or nothing."""
     called = (ROOT / ".ci/run").read_text(encoding="utf-8")
     if not re.search(rf"^\s*(step|evidence) {re.escape(name)}$", called, re.M):
         return "not called by .ci/run"
@@ -45,9 +47,17 @@ def script_fault(name, steps):
     step = re.search(rf"^== {re.escape(name)} \(after.*?^== took", steps, re.M | re.S)
     if not step:
         return "has no step that ended in the log"
-    for line in re.findall(r"^.*SKIPPED.*$", step[0], re.M):
-        print(f"not shown here, {name}: {line}")
+    skipped(name, step[0])
     return None
+
+
+# In their order, each once.
+SKIPPED = {}
+
+
+def skipped(name, log):
+    """Notes what a log says was skipped."""
+    SKIPPED.update((f"not shown here, {name}: {line.strip()}", None) for line in re.findall(r"^.*SKIPPED.*$", log, re.M))
 
 
 def test_fault(path, function, tests):
@@ -57,11 +67,17 @@ def test_fault(path, function, tests):
         return "no such test"
     if "#[ignore" in found[1]:
         return "the test is ignored"
-    # In the root file of its target it has no module.
-    place = rf"((\S+::)?{path.stem}::(tests::)?)?"
-    if tests is not None and not re.search(rf"^test {place}{function}( - should panic)? \.\.\. ok$", tests, re.M):
-        return "the test did not run, or failed"
-    return None
+    if tests is None or any(ran(path, function, target) for target in re.split(r"^ +Running (?:unittests )?", tests, flags=re.M)):
+        return None
+    return "the test did not run, or failed"
+
+
+def ran(path, function, target):
+    """Whether the log of a target, which begins with its root file, tells a test of the file as passed."""
+    root = target.split(" ", 1)[0]
+    # In the root file itself there is no module.
+    module = "" if str(path).endswith(f"/{root}") else rf"(\S+::)?{path.stem}::(tests::)?"
+    return re.search(rf"^test {module}{function}( - should panic)? \.\.\. ok$", target, re.M) is not None
 
 
 def missing(evidence, tests, steps):
@@ -76,14 +92,17 @@ def missing(evidence, tests, steps):
 def unfounded(page):
     """Paragraphs and rows of a page that promise and lead to no evidence."""
     text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.S)
-    words = WORDS[page.name == "README.md" and page.parent == ROOT]
+    words = README_WORDS if page == ROOT / "README.md" else WORDS
     blocks = re.split(r"\n\s*\n|\n(?=[|-])", text)
     return [block.strip() for block in blocks if words.search(block) and not LEADS.search(block)]
 
 
 def main():
+    if len(sys.argv) not in (1, 3):
+        sys.exit(__doc__)
     logs = [Path(name).read_text(encoding="utf-8", errors="replace") for name in sys.argv[1:]]
     tests, steps = logs or (None, None)
+    skipped("tests", tests or "")
     wrong, count = [], 0
     for promise, cell in rows(PAGE.read_text(encoding="utf-8")):
         pieces = re.findall(r"`([^`]+)`", cell)
@@ -96,7 +115,8 @@ def main():
         if page.stem not in EVIDENCE:
             name = page.relative_to(ROOT)
             wrong += [f"{name} promises and leads to no evidence: {block[:100]}" for block in unfounded(page)]
-    print("\n".join(wrong) or f"{count} pieces of evidence are there" + (" and ran" if logs else ""))
+    seen = "" if not logs else f" and ran, but for {len(SKIPPED)} that said SKIPPED" if SKIPPED else " and ran"
+    print("\n".join(list(SKIPPED) + (wrong or [f"{count} pieces of evidence are there{seen}"])))
     sys.exit(1 if wrong else 0)
 
 

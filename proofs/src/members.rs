@@ -125,6 +125,12 @@ fn two_layer<V: Axes>() -> Vec<Seen> {
     })
 }
 
+fn plausible<V: Axes>() -> Vec<Seen> {
+    let most = |name: &str| parameter(name, Requirement::Limit, 1e6);
+    let limits = || Plausibility { speed: most("speed"), effort: most("strongest") };
+    step::<V, _>(|| damps(popc().plausible(limits()).expect("limits")), nothing_more)
+}
+
 /// The members that serve every signal.
 fn of_every_signal<V: Axes>() -> Vec<Member> {
     vec![
@@ -221,16 +227,6 @@ fn of_every_signal<V: Axes>() -> Vec<Member> {
         Member { name: "popc-weighted", kind: Kind::Shapes, seen: weighted::<V> },
         Member { name: "popc-directed", kind: Kind::Shapes, seen: directed::<V> },
         Member {
-            name: "popc-plausible",
-            // An axis that nothing resolves is at rest for what is inside.
-            kind: Kind::Shapes,
-            seen: || {
-                let most = |name: &str| parameter(name, Requirement::Limit, 1e6);
-                let limits = || Plausibility { speed: most("speed"), effort: most("strongest") };
-                step::<V, _>(|| damps(popc().plausible(limits()).expect("limits")), nothing_more)
-            },
-        },
-        Member {
             name: "popc-watched",
             kind: Kind::Any,
             seen: || {
@@ -323,6 +319,7 @@ fn of_every_signal<V: Axes>() -> Vec<Member> {
 /// The members on one axis.
 pub(crate) fn on_one_axis() -> Vec<Member> {
     let mut members = of_every_signal::<Of>();
+    members.push(Member { name: "popc-plausible", kind: Kind::Damps, seen: plausible::<Of> });
     members.push(Member {
         name: "popc-contact-reset",
         kind: Kind::Serves,
@@ -375,6 +372,9 @@ fn depth() -> Of {
 /// The members on three axes.
 pub(crate) fn on_three_axes() -> Vec<Member> {
     let mut members = of_every_signal::<Vector3<Of>>();
+    // An axis that nothing resolves is at rest for what is inside, beside others that move.
+    let seen = plausible::<Vector3<Of>>;
+    members.push(Member { name: "popc-plausible", kind: Kind::Shapes, seen });
     members.push(Member {
         name: "per-axis",
         kind: Kind::Any,

@@ -65,9 +65,10 @@ impl Numbers {
         }
     }
 
-    /// A number that a constructor may accept; ordinary ones are below 1, as a share has to be.
+    /// A number that a constructor may accept; an ordinary share is below 1.
     fn parameter<T: Real>(self, name: &str) -> T {
-        self.of::<T>(name).magnitude() * T::of(1.0 / 128.0)
+        let most = if name == "share" { 128.0 } else { 1.0 };
+        self.of::<T>(name).magnitude() / T::of(most)
     }
 
     fn any<T: Real>(self, name: &str) -> T {

@@ -275,6 +275,7 @@ fn loosely(node: Node) -> String {
 
 /// A constant of the code as a fraction over a power of two; they are numbers with few digits.
 fn exact(number: f64) -> String {
+    assert!(number.is_finite(), "{number} is no constant");
     let (size, mut scale) = (number.abs(), 1.0);
     while (size * scale).fract() != 0.0 {
         scale *= 2.0;

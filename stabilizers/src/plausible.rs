@@ -43,8 +43,9 @@ impl<T: Scalar> Plausibility<T> {
 /// [watchdog](crate::Watchdog).
 ///
 /// What no device can resolve is 0 to the stabilizer inside, whatever the limits: on each axis a velocity, a
-/// displacement or an applied effort below 2⁻⁵¹ (4·10⁻¹⁶ m/s, m, N), and a work below the square of that. Smaller numbers
-/// have subnormal products, for which a processor may take several times as long (docs/embedded.md).
+/// displacement or an applied effort below 2⁻⁵¹ (4·10⁻¹⁶ m/s, m, N), a work below the square of that, and a period below
+/// 2⁻⁵¹ s, which is no time then. Smaller numbers have subnormal products, for which a processor may take several times as
+/// long (docs/embedded.md).
 ///
 /// ```
 /// use lyapunov_core::{HeldTick, PortEnergy, PortSample, Stabilizer};
@@ -82,7 +83,7 @@ fn beyond<V: Signal>(signal: V, most: V::Scalar) -> V::Scalar {
     signal.map(|axis| V::Scalar::choose(axis.magnitude().above(most), nothing, all)).sum()
 }
 
-/// Smallest velocity, displacement and applied effort that a stabilizer sees but 0; of work, its square.
+/// Smallest period, velocity, displacement and applied effort but 0 that a stabilizer sees; of work, its square.
 const LEAST: f64 = 2.0 * f64::EPSILON;
 
 /// The signal, with 0 on axes below `least`; a NaN stays.
@@ -96,17 +97,19 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Plausible<S, V::Scalar> {
     #[inline]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let Plausibility { speed, effort: strongest } = self.limits;
-        let reach = speed * sample.period;
+        let period = resolved(sample.period, LEAST);
+        let reach = speed * period;
         let absurd = beyond(sample.velocity, speed)
             + beyond(sample.displacement, reach)
             + beyond(sample.applied, strongest)
             + beyond(sample.work, strongest * reach);
         let seen = PortSample {
+            period,
+            position: sample.position,
             velocity: resolved(sample.velocity, LEAST) + V::splat(absurd),
             displacement: resolved(sample.displacement, LEAST),
             applied: resolved(sample.applied, LEAST),
             work: resolved(sample.work, LEAST * LEAST) + V::splat(absurd),
-            ..*sample
         };
         let refused = absurd + beyond(effort, strongest);
         self.stabilizer.stabilize(&seen, effort + V::splat(refused))

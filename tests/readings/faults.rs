@@ -69,7 +69,9 @@ fn check(fault: Fault, at: usize, length: usize) {
         let asked = if sample.position > 0.0 { 6000.0 * sample.position } else { 0.0 };
         let told = popc.stabilize(&sample, asked);
         let place = || format!("{fault:?} at tick {at} for {length}, tick {tick}: {told:?}");
-        assert_eq!(told.accepted, checked.accepted, "{}", place());
+        // A wrong clock counts one period.
+        let is_noticed = is_faulty && !matches!(fault, Fault::Clock(_));
+        assert_eq!((checked.accepted, told.accepted), (!is_noticed, !is_noticed), "{}", place());
         if told.accepted {
             let most = port.absorbed + 1e-12;
             assert!(told.observed_energy <= most, "{most} J absorbed: {}", place());
@@ -79,7 +81,6 @@ fn check(fault: Fault, at: usize, length: usize) {
             assert_relative_eq!(told.effort, given, max_relative = 1e-9, epsilon = 1e-12);
             silent = 0;
         } else {
-            assert!(is_faulty, "rejected without a fault: {}", place());
             silent += 1;
             let held = if silent <= HOLD { applied } else { 0.0 };
             assert_eq!(told.effort, held, "{}", place());

@@ -95,6 +95,7 @@ impl StabilizerExt for Echo {}
 #[test]
 fn what_nothing_resolves_is_zero() {
     let least = f64::powi(2.0, -51);
+    let limits = Plausibility { speed: 8.0, effort: 16.0 };
     let fields: [(fn(&PortSample<f64>, f64) -> f64, f64); 4] = [
         (|sample, _| sample.velocity, least),
         (|sample, _| sample.displacement, least),
@@ -102,7 +103,6 @@ fn what_nothing_resolves_is_zero() {
         (|sample, _| sample.work, least * least),
     ];
     for (field, least) in fields {
-        let limits = Plausibility { speed: 8.0, effort: 16.0 };
         let mut member = Echo(field).plausible(limits).expect("limits");
         let mut seen = |size: f64| {
             let rest = PortSample::starting(0.25, size, size);
@@ -113,6 +113,11 @@ fn what_nothing_resolves_is_zero() {
         let sizes = [least, -least, beneath, -beneath, 5e-324];
         assert_eq!(sizes.map(&mut seen), [least, -least, 0.0, 0.0, 0.0]);
         assert!(seen(f64::NAN).is_nan());
+    }
+    let mut member = Echo(|sample, _| sample.period).plausible(limits).expect("limits");
+    for (period, seen) in [(least, least), (f64::next_down(least), 0.0)] {
+        let rest = PortSample::starting(period, 0.0, 0.0);
+        assert_eq!(member.stabilize(&rest, 0.0).effort, seen);
     }
 }
 

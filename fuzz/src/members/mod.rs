@@ -17,7 +17,7 @@ pub type Driven = Result<usize, ParameterError>;
 /// Member of the family.
 #[derive(Clone, Copy, Debug)]
 pub struct Member {
-    /// Its name in `tests/embedded`.
+    /// Its name in `tests/embedded`; there `popc-member` is POPC, and here any member.
     pub name: &'static str,
     /// Makes and drives it by bytes, and panics where a promise is broken.
     pub run: fn(&mut Bytes<'_>) -> Driven,

@@ -21,7 +21,8 @@ impl Booking for Sampled {
 
 /// An account that a [`DriftCompensated`](super::DriftCompensated) port pays from.
 pub trait Spending<T: Scalar> {
-    /// Books what the compensation of this tick is about to give, J, where no later sample reports it.
+    /// Books what the compensation of this tick is about to give, J, where no later sample reports it; an energy that is not
+    /// finite is left out.
     fn spend(&mut self, energy: T);
 }
 

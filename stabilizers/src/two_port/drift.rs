@@ -103,7 +103,7 @@ where
         let moved = correction.effort + back.scale(share);
         let flow = V::choose(some & correction.accepted & moved.finite(), moved, correction.effort);
         let spent = (correction.effort - flow).inner(sample.velocity) * sample.period;
-        self.stabilizer.spend(V::Scalar::choose(correction.accepted & spent.finite(), spent, zero));
+        self.stabilizer.spend(spent);
         let drift = self.drift + (flow - effort).scale(sample.period);
         self.drift = V::choose(correction.accepted & drift.finite(), drift, self.drift);
         Correction { effort: flow, ..correction }.checked()

@@ -9,12 +9,10 @@ use super::checkpoint::CheckpointError;
 use super::grid::Grid;
 use super::shard::Shard;
 use super::survey::Survey;
-use super::table::{Rows, TableError, TableHeader};
+use super::table::{Rows, TableHeader};
+use super::table_error::TableError;
 use crate::measure::runs::Outcome;
 use crate::show::OutputError;
-
-/// Cells that are read together: their rows take some hundred kilobytes.
-const BLOCK: u64 = 1024;
 
 /// Reason why shards do not make a map.
 #[derive(Debug)]
@@ -109,7 +107,7 @@ pub fn merge(
         let wrong = |error| CheckpointError::Table((*path).clone(), error);
         let mut cell = cells.start;
         while cell < cells.end {
-            let read = rows.next_cells(BLOCK.min(cells.end - cell)).map_err(wrong)?;
+            let read = rows.next_cells(cells.end - cell).map_err(wrong)?;
             if read.is_empty() {
                 let (done, all) = (cell - cells.start, cells.end - cells.start);
                 return Err(MergeError::Unfinished((*path).clone(), done, all));

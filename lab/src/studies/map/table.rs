@@ -4,7 +4,7 @@
 //! It is the map's only file of numbers: cells in it need not be computed again. While it is unfinished its rows have one
 //! column more, their checksum.
 
-use std::fmt::{self, Write as _};
+use std::fmt::Write as _;
 use std::io::{self, BufRead, Read, Write};
 
 use rayon::prelude::*;
@@ -12,12 +12,13 @@ use rayon::prelude::*;
 use super::axis::Axis;
 use super::grid::Grid;
 use super::shard::Shard;
+use super::table_error::TableError;
 use crate::files::Scene;
 use crate::measure::runs::{Measure, Measures, Outcome};
 use crate::measure::{Verdict, Yardstick};
 use crate::show::csv::{self, Field, Records};
 use crate::simulate::family::StabilizerNames;
-use crate::text::{Checksum, shorten};
+use crate::text::Checksum;
 
 /// The columns after those of the axes.
 fn columns<'a>() -> impl Iterator<Item = &'a str> {
@@ -30,6 +31,9 @@ const CHECKSUM: &str = "checksum";
 
 /// The longest line in bytes: a damaged table may be one long line.
 const LONGEST: usize = 1 << 16;
+
+/// The text of the rows that are read together, in bytes.
+const BLOCK: usize = 1 << 20;
 
 /// The line of the head with the checksum of the recorded motion that the scene names.
 const MOTION: &str = "# motion ";
@@ -178,61 +182,6 @@ pub(super) fn next_line<'a>(
     Ok(is_whole.then(|| line.strip_suffix(b"\n").unwrap_or(line)))
 }
 
-/// Fault of a table.
-#[derive(Debug)]
-pub enum TableError {
-    /// The head is not that of a map of this version.
-    TableHeader(String),
-    /// The columns after the stabilizer's are not those of this version.
-    Columns(String),
-    /// A row that no map has.
-    Row {
-        /// The number of the row, from 1.
-        row: u64,
-        /// The text that is there instead.
-        text: String,
-    },
-    /// A row of an unfinished table that does not have its checksum.
-    Damaged {
-        /// The number of the row, from 1.
-        row: u64,
-    },
-    /// Rows after the last one of the map.
-    Excess,
-    /// The table cannot be read.
-    Unreadable(io::Error),
-}
-
-impl From<io::Error> for TableError {
-    fn from(error: io::Error) -> Self {
-        Self::Unreadable(error)
-    }
-}
-
-impl fmt::Display for TableError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TableHeader(problem) => write!(f, "this is not the table of a map: {problem}"),
-            Self::Columns(found) => {
-                write!(f, "its columns are `{}`, and this version has others", shorten(found))
-            }
-            Self::Row { row, text } => {
-                write!(f, "row {row} is `{}`, which no map has there", shorten(text))
-            }
-            Self::Damaged { row } => {
-                write!(
-                    f,
-                    "row {row} does not match its checksum: it has changed since it was written"
-                )
-            }
-            Self::Excess => f.write_str("it goes on after its last cell"),
-            Self::Unreadable(error) => write!(f, "it cannot be read: {error}"),
-        }
-    }
-}
-
-impl std::error::Error for TableError {}
-
 /// Writes the rows of a cell.
 ///
 /// # Errors
@@ -302,28 +251,31 @@ impl<R: BufRead> Rows<R> {
         Ok(Some((self.cell - 1, outcomes)))
     }
 
-    /// The outcomes of the next cells, at most `most` of them, which all cores read; none where the table ends.
+    /// The outcomes of the next cells, a block of at most `most` of them, which all cores read; none where the table ends.
     ///
     /// # Errors
-    /// Those of [`next_cell`](Self::next_cell).
+    /// Those of [`next_cell`](Self::next_cell), the first of the block.
     pub(super) fn next_cells(&mut self, most: u64) -> Result<Vec<Vec<Outcome>>, TableError> {
         self.text.clear();
-        let mut cells = Vec::new();
-        for _ in 0..most {
+        let (mut cells, mut failed) = (Vec::new(), None);
+        while (cells.len() as u64) < most && self.text.len() < BLOCK {
             let start = self.text.len();
-            let Some(bytes) = self.read_cell()? else {
-                // Of a cell that is not whole.
-                self.text.truncate(start);
-                break;
-            };
+            match self.read_cell() {
+                Ok(Some(bytes)) => self.read += bytes,
+                rest => {
+                    // Of a cell that is not whole.
+                    self.text.truncate(start);
+                    failed = rest.err();
+                    break;
+                }
+            }
             cells.push((self.cell, start..self.text.len()));
-            self.read += bytes;
             self.cell += 1;
         }
         let (grid, text) = (&self.grid, &self.text);
         let read = cells.into_par_iter().map(|(cell, rows)| outcomes(grid, cell, &text[rows]));
-        // The first error is told, not the one that is found first.
-        read.collect::<Vec<_>>().into_iter().collect()
+        let read = read.collect::<Vec<_>>().into_iter().collect::<Result<_, _>>()?;
+        failed.map_or(Ok(read), Err)
     }
 
     /// Adds the rows of the next cell to the text, and returns how many bytes they have in the table.
