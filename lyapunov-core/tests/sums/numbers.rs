@@ -147,3 +147,11 @@ fn requirements_hold_for_what_they_say() {
     let told = refused.map_err(|it| it.to_string());
     assert_eq!(told, Err("axes is -2.0; it must be above 0 and finite".to_owned()));
 }
+
+/// Ties go away from zero; each axis by itself.
+#[test]
+fn a_count_is_the_nearest_multiple() {
+    let counted = Vector3::new(0.8, -1.0, 1.2).counted(0.5);
+    assert_eq!(counted, Vector3::new(1.0, -1.0, 1.0));
+    assert_eq!([0.75_f64, -0.75, 0.2].map(|axis| axis.counted(0.5)), [1.0, -1.0, 0.0]);
+}
