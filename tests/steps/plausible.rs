@@ -80,8 +80,11 @@ fn changed_limits_hold() {
     }
 }
 
+/// One number of what a stabilizer is given.
+type Number = fn(&PortSample<f64>, f64) -> f64;
+
 /// Stabilizer that answers with one number of what it sees.
-struct Echo(fn(&PortSample<f64>, f64) -> f64);
+struct Echo(Number);
 
 impl Stabilizer<f64> for Echo {
     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
@@ -96,7 +99,7 @@ impl StabilizerExt for Echo {}
 fn what_nothing_resolves_is_zero() {
     let least = f64::powi(2.0, -51);
     let limits = Plausibility { speed: 8.0, effort: 16.0 };
-    let fields: [(fn(&PortSample<f64>, f64) -> f64, f64); 4] = [
+    let fields: [(Number, f64); 4] = [
         (|sample, _| sample.velocity, least),
         (|sample, _| sample.displacement, least),
         (|sample, _| sample.applied, least),
