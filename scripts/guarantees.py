@@ -74,9 +74,9 @@ def test_fault(path, function, tests):
 
 def ran(path, function, target):
     """Whether the log of a target, which begins with its root file, tells a test of the file as passed."""
-    root = target.split(" ", 1)[0]
-    # In the root file itself there is no module.
-    module = "" if str(path).endswith(f"/{root}") else rf"(\S+::)?{path.stem}::(tests::)?"
+    root = target.split(" ", 1)[0].removeprefix("../")
+    # In the root file itself there is no module of its name; a file may have modules inside.
+    module = r"(\S+::)?" if str(path).endswith(f"/{root}") else rf"(\S+::)?{path.stem}::(\S+::)?"
     return re.search(rf"^test {module}{function}( - should panic)? \.\.\. ok$", target, re.M) is not None
 
 
