@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use lyapunov::{
-    PortSample, Snapshot, Stabilizer,
+    Correction, PortSample, Snapshot, Stabilizer,
     stabilizers::{Account, ForceBound, ForceBounding, LimitCredit},
 };
 use nalgebra::{Matrix2, Vector2};
@@ -123,4 +123,19 @@ fn a_damper_burns_the_square_of_the_way() {
     // An effort whose size is out of range is no effort.
     let told = bound(1.0).stabilize(&rest(), 1e200);
     assert_eq!((told.effort, told.accepted), (0.0, false));
+}
+
+/// Beyond the range of its scalar a bound is smaller than the true one, and the member goes on.
+#[test]
+fn a_bound_out_of_range_rejects_nothing() {
+    let mut member = ForceBound::<f64>::new(300.0).expect("a damping");
+    let rest = PortSample::starting(1e-3, 0.0, 0.0);
+    let rich = PortSample { work: 1e303, ..rest };
+    for sample in [rich, rest, rest] {
+        let told: Correction<f64> = member.stabilize(&sample, 1e150);
+        assert!(told.accepted && told.effort == 1e150, "{told:?}");
+    }
+    let mut free: ForceBounding<f64> = ForceBounding::of_damping(0.0).expect("a damping");
+    let told: Correction<f64> = free.stabilize(&PortSample { work: 1e307, ..rest }, 1.0);
+    assert!(told.accepted && told.effort == 0.0, "{told:?}");
 }

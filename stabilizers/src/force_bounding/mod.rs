@@ -171,9 +171,11 @@ where
         // A little less than the bound: with the rounding of what follows the account stays at or above 0.
         let share = V::Scalar::of(4.0) - V::Scalar::of(64.0) * V::Scalar::epsilon();
         let (size, gain) = self.damping.size(effort);
-        let most = (share * gain * (free / sample.period)).sqrt();
+        // Out of range it is the largest number, a smaller bound; and 0 where it is 0 times an infinity.
+        let square = share * gain * (free / sample.period);
+        let most = square.larger(zero).smaller(V::Scalar::largest()).sqrt();
         let factor = V::Scalar::choose(size.above(most), most / size, one);
-        let accepted = booked & (size + most).finite() & effort.finite();
+        let accepted = booked & size.finite() & effort.finite();
         // `size² T / (4 g)`, and never more than there is, which is what it is at the bound.
         let given = size.smaller(most);
         let cost = V::Scalar::of(0.25) * sample.period * (given * given / gain);
