@@ -144,7 +144,7 @@ fn mixed<S: Stabilizer<f64> + Copy>(name: &str, stabilizer: S) {
     };
     let tiny = 5e-324;
     let short = PortSample { period: tiny, ..tick(0.1, 0.0, 2.0) };
-    let kinds: [(&str, PortSample<f64>, f64); 9] = [
+    let kinds = [
         ("ordinary, absorbing", tick(0.1, 1e-4, 2.0), 1.0),
         ("a debt beyond the limit", tick(0.1, 1e-4, -90.0), 1.0),
         ("an absurd debt", tick(0.1, 1e-4, -2e3), 1.0),
@@ -155,7 +155,7 @@ fn mixed<S: Stabilizer<f64> + Copy>(name: &str, stabilizer: S) {
         ("subnormal period", short, 1.0),
         ("all subnormal", PortSample { period: tiny, ..tick(tiny, tiny, tiny) }, tiny),
     ];
-    let mut fastest = [f64::INFINITY; 9];
+    let mut fastest = kinds.map(|_| f64::INFINITY);
     for _ in 0..400 {
         for ((_, sample, effort), fastest) in kinds.iter().zip(&mut fastest) {
             let (mut stabilizer, rounds) = (stabilizer, 1000);

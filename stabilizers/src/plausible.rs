@@ -7,6 +7,9 @@ use lyapunov_core::{
 use crate::StabilizerExt;
 use crate::account::lends;
 
+/// Smallest period, velocity, displacement and applied effort but 0 that a stabilizer sees; of work, its square.
+const LEAST: f64 = 2.0 * f64::EPSILON;
+
 /// Largest speed and effort that a device and its environment can have, on each axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plausibility<T> {
@@ -42,7 +45,7 @@ impl<T: Scalar> Plausibility<T> {
 /// sample that was only unexpected has to be booked. It belongs outside the shaping and inside a
 /// [watchdog](crate::Watchdog).
 ///
-/// What no device can resolve is 0 to the stabilizer inside, whatever the limits: on each axis a velocity, a
+/// Numbers that no device can resolve are 0 to the stabilizer inside, whatever the limits: on each axis a velocity, a
 /// displacement or an applied effort below 2⁻⁵¹ (4·10⁻¹⁶ m/s, m, N), a work below the square of that, and a period below
 /// 2⁻⁵¹ s, which is no time then. Smaller numbers have subnormal products, for which a processor may take several times as
 /// long (docs/embedded.md).
@@ -82,9 +85,6 @@ fn beyond<V: Signal>(signal: V, most: V::Scalar) -> V::Scalar {
     let (nothing, all) = (V::Scalar::of(f64::NAN), V::Scalar::of(-0.0));
     signal.map(|axis| V::Scalar::choose(axis.magnitude().above(most), nothing, all)).sum()
 }
-
-/// Smallest period, velocity, displacement and applied effort but 0 that a stabilizer sees; of work, its square.
-const LEAST: f64 = 2.0 * f64::EPSILON;
 
 /// The signal, with 0 on axes below `least`; a NaN stays.
 #[inline(always)]

@@ -1,5 +1,5 @@
-//! Every fault that readings notice, at every tick of a loop: what the watchdog gives meanwhile and afterwards, and what the
-//! ledger counts.
+//! Faults that readings notice or put right, at every tick of a loop: the force of the watchdog meanwhile and afterwards, and
+//! the count of the ledger.
 
 use approx::assert_relative_eq;
 
@@ -18,7 +18,7 @@ const HOLD: usize = 5;
 /// Ticks in which it rises again.
 const RISE: usize = 10;
 
-/// What is wrong for some ticks.
+/// A fault that lasts for some ticks.
 #[derive(Clone, Copy, Debug)]
 enum Fault {
     Position(f64),

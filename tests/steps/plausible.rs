@@ -94,7 +94,7 @@ impl Stabilizer<f64> for Echo {
 
 impl StabilizerExt for Echo {}
 
-/// What no device resolves is 0 inside, of either sign; the next number is seen, and a NaN stays one.
+/// Numbers that no device resolves are 0 inside, of either sign; the next number is seen, and a NaN stays one.
 #[test]
 fn what_nothing_resolves_is_zero() {
     let least = f64::powi(2.0, -51);
@@ -124,7 +124,7 @@ fn what_nothing_resolves_is_zero() {
     }
 }
 
-/// What is asked passes with its bits, the sign of 0 too.
+/// An effort that is plausible passes with its bits, the sign of 0 too.
 #[test]
 fn a_plausible_effort_keeps_its_bits() {
     let limits = Plausibility { speed: 8.0, effort: 16.0 };

@@ -24,7 +24,7 @@ pub(super) fn list<T: Real>(members: &mut Vec<Member>) {
     });
 }
 
-/// What bytes choose, and what it promises.
+/// The member that bytes choose, and its promises.
 fn any<T: Real>(bytes: &mut Bytes<'_>) -> Result<(Manner<T>, Chosen<T>), ParameterError> {
     let names = Chosen::<T>::NAMES;
     let name = names[usize::from(bytes.byte()) % names.len()];
