@@ -2,7 +2,8 @@
 # The whole family on other processors: one hash everywhere, and on Cortex-M instructions, stack and flash of a step.
 #   run.sh         Cortex-M4F, M7 and M0 under QEMU, and this processor in debug and release, against docs/embedded.md
 #   run.sh write   the same, and writes the tables of docs/embedded.md
-#   run.sh all     the same as without a word, and wasm32 (node), aarch64 (QEMU), big-endian s390x (Miri) and RealtimeSanitizer
+#   run.sh all     the same as without a word, and wasm32 (node), aarch64 and big-endian s390x (QEMU),
+#                  RealtimeSanitizer, and s390x under Miri
 # It installs what it needs; what cannot be had is SKIPPED, loudly.
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -14,10 +15,10 @@ mkdir -p "$out"
 
 skipped() { printf 'SKIPPED: %s\n' "$*"; }
 target() { [ -d "$(rustc --print sysroot)/lib/rustlib/$1" ] || rustup target add "$1" >/dev/null 2>&1; }
-# program PACKAGE: the program, or the package of Debian that has it.
+# program NAME PACKAGE...: a program, or the packages of Debian that bring it.
 program() {
     command -v "$1" >/dev/null && return
-    { apt-get update -qq && apt-get install -y -qq --no-install-recommends "$2"; } >/dev/null 2>&1
+    { apt-get update -qq && apt-get install -y -qq --no-install-recommends "${@:2}"; } >/dev/null 2>&1
     command -v "$1" >/dev/null
 }
 same() {
@@ -68,6 +69,18 @@ wasm() {
     done
 }
 
+big_endian() {
+    if ! target s390x-unknown-linux-gnu || ! program qemu-s390x qemu-user ||
+        ! program s390x-linux-gnu-gcc gcc-s390x-linux-gnu libc6-dev-s390x-cross; then
+        skipped "s390x under QEMU: it needs the target s390x-unknown-linux-gnu, qemu-s390x and s390x-linux-gnu-gcc"
+        return
+    fi
+    CARGO_TARGET_S390X_UNKNOWN_LINUX_GNU_LINKER=s390x-linux-gnu-gcc \
+        cargo build --quiet --release --bin host --target s390x-unknown-linux-gnu
+    qemu-s390x -L /usr/s390x-linux-gnu "$CARGO_TARGET_DIR/s390x-unknown-linux-gnu/release/host" >"$out/s390x.txt"
+    same "$out/s390x.txt" "s390x, big-endian"
+}
+
 aarch64() {
     if ! target aarch64-unknown-linux-musl || ! program qemu-aarch64 qemu-user; then
         skipped "aarch64: it needs the target aarch64-unknown-linux-musl and qemu-aarch64"
@@ -81,9 +94,9 @@ aarch64() {
 
 nightly() { rustup toolchain install nightly --profile minimal -c miri,rust-src >/dev/null 2>&1; }
 
-s390x() {
+miri() {
     if ! nightly; then
-        skipped "s390x: no nightly with miri can be had here"
+        skipped "s390x under Miri: no nightly with miri can be had here"
         return
     fi
     # Miri takes its time: fewer ticks, here and there.
@@ -119,6 +132,7 @@ boards
 if [ "$mode" = all ]; then
     wasm
     aarch64
+    big_endian
     realtime
-    s390x
+    miri
 fi
