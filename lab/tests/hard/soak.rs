@@ -3,8 +3,9 @@
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
+use lyapunov_lab::Scene;
 use lyapunov_lab::family::StabilizerName;
-use lyapunov_lab::hard::soak::Soak;
+use lyapunov_lab::hard::soak::{self, Soak};
 
 /// Cases of a run of the tests; `lyapunov hard --minutes` goes on.
 const CASES: u64 = 768;
@@ -50,4 +51,34 @@ fn random_scenes_have_every_member_environment_and_effect() {
     // Without none, and with one name for the four kinds of LOLC.
     assert_eq!(members.len(), StabilizerName::ALL.len() - 4, "{members:?}");
     assert_eq!((environments.len(), effects.len()), (11, 11), "{environments:?} {effects:?}");
+}
+
+/// A stiff link beyond its rate: forces of 1e157 N at 1e154 m/s, whose power is no number.
+#[test]
+fn a_direction_is_judged_beyond_the_range_of_powers() {
+    let scene = r#"
+        duration = 0.0949
+        integrator = "semi-implicit-euler"
+        servo_rate = 2370.2267843340624
+        [device]
+        mass = 40.0
+        [environment.plane]
+        damping = 800.0
+        normal = [-0.9498648545618322, -0.6640075914671719]
+        point = [-0.04638446814160761, -0.09386187739447795]
+        stiffness = 50000.0
+        [initial]
+        velocity = [-28.276323842782553, 32.52394101510279]
+        [link]
+        damping = 26474.637674504156
+        stiffness = 13565416.275463542
+        [operator]
+        damping = 1205.693844294434
+        mass = 2.453649495177848
+        [space]
+        dimensions = 2
+        [stabilizer.directed-damping]
+    "#;
+    let scene = Scene::parse(scene, "test").unwrap();
+    assert!(soak::breach(&scene).unwrap().is_none());
 }

@@ -37,6 +37,17 @@ impl Axes {
         self.all().iter().zip(other.all()).map(|(a, b)| a * b).sum()
     }
 
+    /// The component in the direction of `other`; 0 where that has none.
+    ///
+    /// The direction is taken first: the product of two vectors of a loop that grows leaves the range before they do.
+    pub(super) fn along(&self, other: &Self) -> f64 {
+        let length = other.length();
+        if length == 0.0 {
+            return 0.0;
+        }
+        self.all().iter().zip(other.all()).map(|(a, b)| a * (b / length)).sum()
+    }
+
     pub(super) fn minus(&self, other: &Self) -> Self {
         let mut values = self.values;
         values.iter_mut().zip(other.values).for_each(|(axis, less)| *axis -= less);

@@ -303,15 +303,14 @@ impl Meter {
     fn judge_direction(&mut self, sight: &Sight) {
         let Sight { out, effort, velocity, .. } = sight;
         let added = out.minus(effort);
+        let (speed, along) = (velocity.length(), added.along(velocity));
         let rounding = 8.0 * self.epsilon * out.length() + 8.0 * self.epsilon * effort.length();
-        let most = self.terms.limit * velocity.length() * (1.0 + 8.0 * self.epsilon);
-        let opposes = added.inner(velocity) >= -rounding * velocity.length();
-        self.tally.require(Law::Opposes, opposes, self.tick);
+        let most = self.terms.limit * speed * (1.0 + 8.0 * self.epsilon);
+        self.tally.require(Law::Opposes, along >= -rounding, self.tick);
         let within = added.length() <= most + rounding + 2.0 * self.smallest();
         self.tally.require(Law::WithinLimit, within, self.tick);
-        let told = self.least_damping(sight.alpha) * velocity.inner(velocity);
-        let injects = added.inner(velocity) >= told - rounding * velocity.length() - self.tiny;
-        self.tally.require(Law::Injects, injects, self.tick);
+        let told = self.least_damping(sight.alpha) * speed;
+        self.tally.require(Law::Injects, along >= told - rounding - self.tiny / speed, self.tick);
     }
 
     fn measure(&mut self, sight: &Sight) {
