@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Whether the tests notice a changed line: cargo-mutants over steps, ledgers and accumulators.
 # `mutants.sh all` tries every mutant; `mutants.sh FILE...` those of some files of one package; `mutants.sh sample N [FILE...]`
-# every N-th one; `mutants.sh named` the changes that went unnoticed once. Survivors are listed.
+# every N-th one; `mutants.sh named` the changes that went unnoticed once; `mutants.sh rest COUNT SEED` a random sample of those
+# of plants, lab, figures and command. Survivors are listed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -25,6 +26,10 @@ tests_of() {
     esac
 }
 
+tool() {
+    command -v cargo-mutants >/dev/null || cargo install --quiet --locked --root "$CARGO_TARGET_DIR/tools" cargo-mutants
+}
+
 # Changes files in a copy; the first argument is the folder of results, then options and files.
 mutate() {
     local name=$1 package target files=() options=() status=0
@@ -36,7 +41,7 @@ mutate() {
         files+=(--file "$file")
     done
     # Changed are files of every package, not of the one in this folder only.
-    command -v cargo-mutants >/dev/null || cargo install --quiet --locked --root "$CARGO_TARGET_DIR/tools" cargo-mutants
+    tool
     # Its own run without a change would ask the package of the file for tests, so that run is here. A change may make a
     # loop endless: it is given 30 s.
     cargo test --quiet --profile mutants -p "$package" --test "$target"
@@ -91,7 +96,7 @@ CHANGES
     return "$survived"
 }
 
-case ${1:?all, named, sample N or files} in
+case ${1:?all, named, sample N, rest COUNT SEED or files} in
 all)
     mutate core "${core[@]}"
     mutate steps "${steps[@]}"
@@ -107,5 +112,11 @@ sample)
     fi
     ;;
 named) named ;;
+rest)
+    tool
+    cargo mutants --workspace --list --json --file 'plants/src/**' --file 'lab/src/**' --file 'figures/src/**' \
+        --file 'cli/src/**' >"$CARGO_TARGET_DIR/rest.json"
+    CARGO_TARGET_DIR=$changed python3 scripts/mutants_rest.py "$CARGO_TARGET_DIR/rest.json" "${2:-300}" "${3:-1}" "$changed/copy"
+    ;;
 *) mutate "$(basename "$1" .rs)" "$@" ;;
 esac

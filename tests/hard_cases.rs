@@ -1,4 +1,6 @@
 //! One test for each hard case of the catalogue that `lyapunov hard` prints. A test target of `lyapunov-lab`.
+//!
+//! `hard_cases.csv` is the `hard.csv` of `lyapunov hard --out`, as it was when the cases were last looked at.
 
 use lyapunov_lab::hard::{Catalogue, Verdicts};
 
@@ -12,6 +14,11 @@ fn passes(name: &str) {
     assert!(row.measured.is_finite() && row.measured <= row.bound, "{row:#?}");
     assert!(row.largest_force_n.is_finite() && row.ledger_off <= 1.0, "{row:#?}");
     assert!(row.verdict != Verdicts::default(), "nothing ran: {row:#?}");
+    // A bound says nothing of a case that measures less than it did.
+    let alone = Catalogue { stabilizer: None, rows: vec![row] }.csv();
+    let line = alone.lines().nth(1).expect("a row");
+    let kept = include_str!("hard_cases.csv");
+    assert!(kept.lines().any(|it| it == line), "not in hard_cases.csv: {line}");
 }
 
 macro_rules! cases {

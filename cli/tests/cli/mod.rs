@@ -13,6 +13,7 @@ mod claims;
 mod disaster;
 mod effects;
 mod fault;
+mod golden;
 mod hard;
 mod inputs;
 mod interrupt;

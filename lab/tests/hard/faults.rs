@@ -42,6 +42,15 @@ fn no_fault_of_a_tick_leaves_its_bounds_in_a_shipped_scene() {
     assert!(told.faults > 10_000, "{}", told.faults);
 }
 
+/// Otherwise a kind of fault might never be made.
+#[test]
+fn every_fault_meets_every_tick() {
+    let (ticks, kinds) = (60, Fault::all().len() as u64);
+    let told = sweep(&loops()[0].0, &(0..SPACING).collect::<Vec<_>>(), ticks).unwrap();
+    // In f64 and in f32.
+    assert_eq!(told.faults, 2 * kinds * (ticks + 1));
+}
+
 /// Every tick of every scene: `cargo test -p lyapunov-lab --release --test library every_tick -- --ignored --nocapture`.
 #[test]
 #[ignore = "takes half an hour"]

@@ -118,7 +118,8 @@ impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
     ///
     /// A motion by `Δx` since the last accepted reading is too fast if `|Δx| > speed · t`, with `t` the time since
     /// then, or a period if that is more. So a jump that stays is accepted after `|Δx| / speed` seconds, as a motion
-    /// over that gap: [`restart`](Self::restart) if it was none.
+    /// over that gap: [`restart`](Self::restart) if it was none. A first reading is taken as it is: after an absurd one
+    /// the true ones are rejected for as long, so restart there too.
     ///
     /// # Errors
     /// `speed` not above 0; infinity sets no limit.

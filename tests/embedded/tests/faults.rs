@@ -129,7 +129,8 @@ fn check<V: Signal, S: Stabilizer<V>>(name: &str, mut member: S, at: usize, faul
     }
 }
 
-/// Every fault at every tick but the first, which has no reading before it.
+/// Every fault at every tick, but for a first position that is finite and absurd: nothing contradicts it yet, and it stands until
+/// the readings are restarted.
 struct Sweep;
 
 impl<T: Number> Visit<T> for Sweep {
@@ -140,8 +141,10 @@ impl<T: Number> Visit<T> for Sweep {
     {
         let asks = |fault: &Fault| matches!(fault, Fault::Asked(_));
         let fits = |fault: &Fault| !(ANSWERING.contains(&name) && asks(fault));
+        let stands = |fault: &Fault| matches!(fault, Fault::Position(number) if number.is_finite());
         for fault in faults().into_iter().filter(fits) {
-            for at in (1..TICKS - RECOVERY).filter(|_| !UNCHECKED.contains(&name)) {
+            let first = usize::from(stands(&fault));
+            for at in (first..TICKS - RECOVERY).filter(|_| !UNCHECKED.contains(&name)) {
                 check::<V, S>(name, member, at, fault);
             }
         }

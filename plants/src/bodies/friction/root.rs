@@ -129,3 +129,40 @@ fn polish(polynomial: &Polynomial, mut start: f64, mut end: f64) -> f64 {
     }
     end
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `Π (1 − τ / root)`.
+    fn through(roots: &[f64]) -> Polynomial {
+        let mut product = [0.0; ORDER + 1];
+        product[0] = 1.0;
+        for root in roots {
+            for k in (0..ORDER).rev() {
+                product[k + 1] -= product[k] / root;
+            }
+        }
+        product
+    }
+
+    #[test]
+    fn the_first_of_many_roots_is_found_at_any_distance_of_the_next() {
+        let others = [0.71, 0.83, 0.97, 1.4];
+        for first in [0.003, 0.12, 0.26, 0.51, 0.66] {
+            for gap in [0.2, 0.03, 1e-3, 1e-5] {
+                let roots = [&[first, first + gap][..], &others].concat();
+                let found = first_fall(&through(&roots)).unwrap();
+                assert!((found - first).abs() < 1e-10 / gap, "{first} and {gap} on: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_polynomial_that_only_grazes_0_does_not_fall() {
+        assert_eq!(first_fall(&through(&[1.2, 1.3])), None);
+        let mut lifted = through(&[0.4, 0.4]);
+        lifted[0] += 1e-3;
+        assert_eq!(first_fall(&lifted), None);
+    }
+}

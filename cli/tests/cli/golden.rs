@@ -1,0 +1,118 @@
+//! Files that stay: the hash of what each command writes and prints, in `golden.csv` beside this file.
+//!
+//! They say that something changed, not that it is right. `cargo test -p lyapunov-cli --test command -- --ignored golden`
+//! writes the file anew: look at what differs before that.
+
+use std::fs;
+use std::path::Path;
+
+use crate::cli::place::Place;
+
+const HEADS: &str = "command,file,hash";
+
+/// Names and commands, of scenes that have most effects between them.
+const COMMANDS: &[(&str, &str)] = &[
+    ("run", "run tour.toml"),
+    ("plane", "run plane.toml"),
+    ("none", "run paper-50k-none.toml"),
+    ("bound", "bound press-1khz.toml"),
+    ("explain", "explain tour.toml"),
+    ("help", "explain paper-50k-none.toml"),
+    ("observe", "observe mujoco-wall.csv"),
+    (
+        "replay",
+        "observe mujoco-wall.csv --scene paper-8k-none.toml --stabilizers popc,lolc-spring,popc-bounded,force-bounding",
+    ),
+    ("identify", "identify mujoco-encoder.csv"),
+    ("tune", "tune delay.toml --trials 3 --runs 2"),
+    ("sweep", "map tour.toml --x device.mass=0.1..0.4:7 --stabilizers none,popc"),
+    (
+        "map",
+        "map press-1khz.toml --x environment.wall.stiffness=500..8000:12 --y device.damping=0.1..4:9 --stabilizers none,popc",
+    ),
+    (
+        "refine",
+        "map hold.toml --x environment.wall.stiffness=500..8000:256 --y device.damping=0.1..4:256 --refine",
+    ),
+    ("compare", "compare encoder.toml tour.toml --stabilizers none,popc,lolc-spring"),
+    ("messages", "compare lossy.toml"),
+    ("models", "compare two-link-arm.toml van-der-pol.toml --stabilizers none,popc"),
+];
+
+/// The command that measures times, which are in all that it writes but its pictures and its JSON.
+const TIMED: &str = "compare";
+
+/// Keys of times in JSON.
+const TIMES: [&str; 4] = ["\"median\"", "\"min\"", "\"max\"", "\"kernel_seconds\""];
+
+/// FNV-1a over the bytes.
+fn hash(bytes: &[u8]) -> u64 {
+    let next = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01B3);
+    bytes.iter().fold(0xCBF2_9CE4_8422_2325, next)
+}
+
+fn place() -> Place {
+    let place = Place::new();
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    for folder in ["", "logs", "models", "teleoperation"] {
+        for entry in fs::read_dir(scenes.join(folder)).unwrap() {
+            let entry = entry.unwrap();
+            if entry.file_type().unwrap().is_file() {
+                place.put(entry.file_name(), fs::read(entry.path()).unwrap());
+            }
+        }
+    }
+    place
+}
+
+/// A line for what a command prints, and for each of its files. Pixels are left out: other processors round them otherwise.
+fn lines() -> Vec<String> {
+    let place = place();
+    let mut lines = Vec::new();
+    for (name, command) in COMMANDS {
+        let said = place.run(command.split(' ').chain(["--out", name]));
+        said.ended(0, &[]);
+        let mut add = |file: &str, text: &str| {
+            let lasting =
+                text.split('\n').filter(|line| !TIMES.iter().any(|it| line.trim().starts_with(it)));
+            let hash = hash(lasting.collect::<Vec<_>>().join("\n").as_bytes());
+            lines.push(format!("{name},{file},{hash:016x}"));
+        };
+        if *name != TIMED {
+            add("printed", &said.out);
+        }
+        for file in place.names(name) {
+            let ending = file.rsplit('.').next().unwrap();
+            if ending != "png" && (*name != TIMED || ["json", "svg"].contains(&ending)) {
+                add(&file, &place.text(&format!("{name}/{file}")));
+            }
+        }
+    }
+    lines
+}
+
+fn file() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cli/golden.csv")
+}
+
+#[test]
+fn every_file_is_as_it_was() {
+    let kept = fs::read_to_string(file()).expect("cli/tests/cli/golden.csv");
+    let kept: Vec<&str> = kept.lines().skip(1).collect();
+    let lines = lines();
+    let differ: Vec<&String> = lines.iter().filter(|it| !kept.contains(&it.as_str())).collect();
+    assert!(
+        differ.is_empty() && kept.len() == lines.len(),
+        "of {} lines of cli/tests/cli/golden.csv {} files are these: {differ:#?}\n\
+         Look at them, and write them anew as the head of golden.rs says",
+        kept.len(),
+        lines.len(),
+    );
+}
+
+#[test]
+#[ignore = "writes golden.csv; what differs is looked at before"]
+fn golden_files_are_written() {
+    fs::write(file(), [vec![HEADS.to_owned()], lines(), vec![String::new()]].concat().join("\n"))
+        .expect("golden.csv is written");
+}
