@@ -19,10 +19,7 @@ const COMMANDS: &[(&str, &str)] = &[
     ("explain", "explain tour.toml"),
     ("help", "explain paper-50k-none.toml"),
     ("observe", "observe mujoco-wall.csv"),
-    (
-        "replay",
-        "observe mujoco-wall.csv --scene paper-8k-none.toml --stabilizers popc,lolc-spring,popc-bounded,force-bounding",
-    ),
+    ("replay", "observe mujoco-wall.csv --scene paper-8k-none.toml --stabilizers all"),
     ("identify", "identify mujoco-encoder.csv"),
     ("tune", "tune delay.toml --trials 3 --runs 2"),
     ("sweep", "map tour.toml --x device.mass=0.1..0.4:7 --stabilizers none,popc"),

@@ -75,6 +75,22 @@ fn the_controlled_wall_is_chaotic() {
     assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");
 }
 
+/// A held spring of 500 N/m at 100 Hz drives its mass apart by `K T / (4 m) = 6.25` a second, and deviations with it: as large, to
+/// the share, at the end as at the start.
+#[test]
+fn a_loop_that_only_grows_is_not_chaotic() {
+    let growing = "
+        duration = 4.0
+        servo_rate = 100.0
+        device = { mass = 0.2, damping = 0.0 }
+        initial.position = 0.01
+        environment.spring.stiffness = 500.0
+    ";
+    let growth = study(growing).basis.growth;
+    let exponent = growth.exponent.unwrap();
+    assert!((5.5..6.5).contains(&exponent) && !growth.chaotic, "{exponent}");
+}
+
 /// Ten million terms of about 2.7 µJ: a plain sum in `f32` loses hundredths, the others keep the digits of their port.
 #[test]
 fn ledgers_are_as_good_as_their_sums() {
