@@ -159,6 +159,21 @@ mod tests {
     }
 
     #[test]
+    fn what_only_grazes_0_is_passed_over() {
+        for graze in [0.04, 0.1, 0.3, 0.45, 0.6] {
+            for height in [1e-3, 1e-5] {
+                // (1 − τ / graze)² + height, and that times 1 − τ / 0.8.
+                let mut lifted = through(&[graze, graze]);
+                lifted[0] += height;
+                let mut product = lifted;
+                (1..=ORDER).for_each(|k| product[k] -= lifted[k - 1] / 0.8);
+                let found = first_fall(&product).unwrap();
+                assert!((found - 0.8).abs() < 1e-12, "{graze}, {height}: {found}");
+            }
+        }
+    }
+
+    #[test]
     fn a_polynomial_that_only_grazes_0_does_not_fall() {
         assert_eq!(first_fall(&through(&[1.2, 1.3])), None);
         let mut lifted = through(&[0.4, 0.4]);
