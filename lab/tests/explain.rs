@@ -3,7 +3,7 @@
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov_lab::explain::{Balance, Change, Explanation};
 use lyapunov_lab::scene::{Positive, Scene};
-use lyapunov_lab::{Rollout, Row, Verdict, scenes};
+use lyapunov_lab::{Rollout, Row, SVector, Verdict, scenes};
 
 use crate::bound::systems::{self, Chance, scene};
 
@@ -187,6 +187,30 @@ fn a_little_beyond_its_remedy_the_loop_fails() {
     let (rate, damping) = (number("servo_rate"), number("device.damping"));
     assert!(at(rate, 0.2) < 1.0 && at(0.9 * rate, 0.2) > 1.0, "{rate}");
     assert!(at(1000.0, damping) < 1.0 && at(1000.0, 0.9 * damping) > 1.0, "{damping}");
+}
+
+/// What is told is in the scene that was run.
+#[test]
+fn a_softer_shape_is_a_softer_shape() {
+    for name in ["box", "plane", "sphere"] {
+        let text = scenes::text_of(name).unwrap();
+        let stiff = scene(&text.replace("stiffness = 3000.0", "stiffness = 90000.0"));
+        let explained = match stiff.dimensions() {
+            2 => Explanation::of::<SVector<f64, 2>>(&stiff),
+            _ => Explanation::of::<SVector<f64, 3>>(&stiff),
+        };
+        let key = format!("environment.{name}.stiffness");
+        let softer = explained.unwrap().remedies.into_iter().find_map(|remedy| {
+            let number = remedy.changes.iter().find_map(|(changed, to)| match to {
+                Change::Number(number) if *changed == key => Some(*number),
+                _ => None,
+            });
+            number.map(|number| (number, remedy.scene))
+        });
+        let (told, scene) = softer.expect("a softer one");
+        let run = toml::Table::try_from(&scene).unwrap()["environment"][name]["stiffness"].clone();
+        assert!(run.as_float() == Some(told) && told < 90e3, "{name}: {told}, {run}");
+    }
 }
 
 #[test]
