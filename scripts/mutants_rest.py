@@ -264,7 +264,10 @@ def main():
             print(f"{n} of {len(copy.chosen)}, {len(missed)} missed", file=sys.stderr)
     for name, reached in sorted(missed):
         print(f"{name}: {f'{reached} tests reach it' if reached else 'no test reaches it'}")
-    print(f"{len(copy.chosen)} mutants of {len(candidates)} (seed {seed}; {copy.refused} more do not compile here), {len(copy.chosen) - len(missed)} caught")
+    for package in ("plants", "lab", "figures", "cli"):
+        of = [k for k, mutant in copy.chosen.items() if mutant["file"].startswith(package)]
+        print(f"{package}: {len(of)} mutants, {len([k for k in of if copy.chosen[k]['name'] not in dict(missed)])} caught")
+    print(f"seed {seed}, of {len(candidates)}; {copy.refused} more do not compile here")
 
 
 main()
