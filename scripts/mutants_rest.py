@@ -4,8 +4,8 @@
 
 LIST is what `cargo mutants --list --json` prints. These crates take minutes to build, so a copy of the project, in FOLDER, holds
 each sampled mutant beside the code that it changes, and the variable MUTANT names the one that runs. Each test runs once to see
-which mutants it reaches; then each mutant runs the tests that reach it, the shortest first, until one fails. Prints how many
-were caught, and what was missed and why.
+which mutants it reaches; then each mutant runs the tests that reach it, the shortest first, until one fails. Prints what
+was missed and how many tests reach it, and how many of each crate were caught.
 """
 
 import concurrent.futures
@@ -158,8 +158,6 @@ class Copy:
                     # An error after a mutant, as in the code as it is, says that the two do not go together.
                     near = [(span["line_start"] - b, k) for a, b, k in lines.get(span["file_name"], []) if b <= span["line_start"]]
                     bad.update(hits or ([min(near)[1]] if near else []))
-                if not spans:
-                    continue
             print(f"{len(self.chosen)} mutants, of which {len(bad)} do not compile", file=sys.stderr)
             if not bad:
                 return
@@ -218,21 +216,9 @@ def tests_of(folder):
     return tests
 
 
-def main():
-    listed, count, seed, folder = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), pathlib.Path(sys.argv[4]).resolve()
-    candidates = json.loads(pathlib.Path(listed).read_text())
-    # What is in no function runs before any test.
-    candidates = [mutant for mutant in candidates if mutant["function"]]
-    candidates.sort(key=lambda m: m["name"])
-    random.Random(seed).shuffle(candidates)
-    shutil.rmtree(folder, ignore_errors=True)
-    copy = Copy(folder, candidates, count)
-    copy.settle()
-    tests = tests_of(folder)
-    temporary = folder / "temporary"
-    temporary.mkdir()
-    reaching, broken = {k: [] for k in copy.chosen}, []
-    workers = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+def reaches(tests, chosen, temporary, workers):
+    """The tests that reach each mutant; tests that fail without one are left out."""
+    reaching, broken = {k: [] for k in chosen}, []
 
     def reach(test):
         note = temporary / f"reached-{id(test)}"
@@ -248,25 +234,45 @@ def main():
         for k in reached & reaching.keys():
             reaching[k].append(test)
     print(f"{len(tests)} tests; without a mutant these fail, and are not asked: {broken}", file=sys.stderr)
+    return reaching
+
+
+def survivors(reaching, temporary, workers):
+    """The mutants that no test notices."""
 
     def caught(k):
-        for test in sorted(reaching[k], key=lambda t: t.seconds):
-            if not passes(test, temporary, 20 + 10 * test.seconds, MUTANT=str(k)):
-                return test.name
-        return None
+        tests = sorted(reaching[k], key=lambda test: test.seconds)
+        return not all(passes(test, temporary, 20 + 10 * test.seconds, MUTANT=str(k)) for test in tests)
 
     missed = []
-    for n, (k, by) in enumerate(zip(copy.chosen, workers.map(caught, copy.chosen)), 1):
-        if by is None:
-            missed.append((copy.chosen[k]["name"], len(reaching[k])))
-            print("missed", *missed[-1], file=sys.stderr)
-        elif n % 20 == 0:
-            print(f"{n} of {len(copy.chosen)}, {len(missed)} missed", file=sys.stderr)
-    for name, reached in sorted(missed):
-        print(f"{name}: {f'{reached} tests reach it' if reached else 'no test reaches it'}")
+    for n, (k, noticed) in enumerate(zip(reaching, workers.map(caught, reaching)), 1):
+        if not noticed:
+            missed.append(k)
+        if n % 20 == 0:
+            print(f"{n} of {len(reaching)}, {len(missed)} missed", file=sys.stderr)
+    return missed
+
+
+def main():
+    listed, count, seed, folder = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), pathlib.Path(sys.argv[4]).resolve()
+    candidates = json.loads(pathlib.Path(listed).read_text())
+    # What is in no function runs before any test.
+    candidates = [mutant for mutant in candidates if mutant["function"]]
+    candidates.sort(key=lambda m: m["name"])
+    random.Random(seed).shuffle(candidates)
+    shutil.rmtree(folder, ignore_errors=True)
+    copy = Copy(folder, candidates, count)
+    copy.settle()
+    temporary = folder / "temporary"
+    temporary.mkdir()
+    workers = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
+    reaching = reaches(tests_of(folder), copy.chosen, temporary, workers)
+    missed = survivors(reaching, temporary, workers)
+    for k in sorted(missed, key=lambda k: copy.chosen[k]["name"]):
+        print(f"{copy.chosen[k]['name']}: {len(reaching[k]) or 'no'} tests reach it")
     for package in ("plants", "lab", "figures", "cli"):
         of = [k for k, mutant in copy.chosen.items() if mutant["file"].startswith(package)]
-        print(f"{package}: {len(of)} mutants, {len([k for k in of if copy.chosen[k]['name'] not in dict(missed)])} caught")
+        print(f"{package}: {len(of)} mutants, {len(set(of) - set(missed))} caught")
     print(f"seed {seed}, of {len(candidates)}; {copy.refused} more do not compile here")
 
 

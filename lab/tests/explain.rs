@@ -189,7 +189,7 @@ fn a_little_beyond_its_remedy_the_loop_fails() {
     assert!(at(1000.0, damping) < 1.0 && at(1000.0, 0.9 * damping) > 1.0, "{damping}");
 }
 
-/// What is told is in the scene that was run.
+/// The stiffness that is told is that of the scene that was run.
 #[test]
 fn a_softer_shape_is_a_softer_shape() {
     for name in ["box", "plane", "sphere"] {

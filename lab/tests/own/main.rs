@@ -18,6 +18,7 @@ macro_rules! own {
     };
 }
 
+mod cut;
 mod soak;
 
 use std::fmt::Debug;
@@ -29,7 +30,7 @@ use lyapunov::{
     Signal, Stabilizer,
 };
 use lyapunov_lab::compare::{Comparison, Entrants};
-use lyapunov_lab::family::{Judgement, StabilizerName, StabilizerNames};
+use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use lyapunov_lab::hard::Catalogue;
 use lyapunov_lab::map::{Grid, Outcome, Run};
 use lyapunov_lab::own::{
@@ -106,22 +107,6 @@ own!(Choosy, "choosy", [COUNT, SIZE], Damps, |on| {
     assert!(on.number::<f64>(SIZE) > 0.0 && on.number::<f64>(COUNT) >= 1.0);
     hand::<V::Scalar>(on, 1.0)
 });
-/// Half of every effort: no damper.
-struct Half;
-
-impl<V: Signal> Stabilizer<V> for Half {
-    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
-        let accepted = sample.sound() & effort.finite();
-        let half = V::choose(accepted, effort.scale(V::Scalar::of(0.5)), V::zero());
-        Correction { accepted, ..Correction::none(half) }
-    }
-}
-
-const PACE: OwnNumber = OwnNumber::new("pace", "m/s", Allowed::Positive, |on| on.speed());
-const ENERGY: OwnNumber = OwnNumber::new("energy", "J", Allowed::Positive, |on| on.energy());
-
-own!(Cutter, "cutter", [PACE, ENERGY], Cuts, |_| Ok(Half));
-
 /// Damping of the device's own damper, as the library's candidate has it.
 struct MyDamping;
 
@@ -146,7 +131,7 @@ fn name(name: &str) -> StabilizerName {
             .stabilizer::<Idle>()
             .stabilizer::<IdleLiar>()
             .stabilizer::<Choosy>()
-            .stabilizer::<Cutter>()
+            .stabilizer::<cut::Cutter>()
             .stabilizer::<soak::Hasty>()
             .stabilizer::<soak::Halving>()
             .stabilizer::<soak::Dozing>()
@@ -257,17 +242,6 @@ fn an_own_candidate_is_watched_by_lolc() {
     }
     let keys: Vec<_> = own.parameters(&shipped("hold")).iter().map(|it| it.key).collect();
     assert_eq!(keys, ["stabilizer.lolc-my-damping.damping_cap"]);
-}
-
-/// What a stabilizer without a damper is judged by, and the scales that a loop offers for its numbers.
-#[test]
-fn what_only_cuts_is_judged_by_energy_and_force() {
-    assert_eq!(name("cutter").judgement(), Judgement::EnergyAndForce);
-    assert_eq!(name("my-popc").judgement(), Judgement::Settling);
-    let numbers = name("cutter").parameters(&shipped("hold"));
-    let [pace, energy] = [0, 1].map(|place| numbers[place].default.unwrap());
-    // The device of 0.2 kg and the hand of 0.1 kg.
-    assert!((0.5 * 0.3 * pace * pace / energy - 1.0).abs() < 1e-12, "{pace} m/s, {energy} J");
 }
 
 #[test]

@@ -152,8 +152,9 @@ mod tests {
         for first in [0.003, 0.12, 0.26, 0.51, 0.66] {
             for gap in [0.2, 0.03, 1e-3, 1e-5] {
                 let roots = [&[first, first + gap][..], &others].concat();
-                let found = first_fall(&through(&roots)).unwrap();
-                assert!((found - first).abs() < 1e-10 / gap, "{first} and {gap} on: {found}");
+                let found = first_fall(&through(&roots));
+                let is_near = found.is_some_and(|found| (found - first).abs() < 1e-10 / gap);
+                assert!(is_near, "{first} and {gap} on: {found:?}");
             }
         }
     }
@@ -167,8 +168,9 @@ mod tests {
                 lifted[0] += height;
                 let mut product = lifted;
                 (1..=ORDER).for_each(|k| product[k] -= lifted[k - 1] / 0.8);
-                let found = first_fall(&product).unwrap();
-                assert!((found - 0.8).abs() < 1e-12, "{graze}, {height}: {found}");
+                let found = first_fall(&product);
+                let is_near = found.is_some_and(|found| (found - 0.8).abs() < 1e-12);
+                assert!(is_near, "{graze}, {height}: {found:?}");
             }
         }
     }
