@@ -304,6 +304,14 @@ fn energy_balances_close() {
 fn verdicts_follow_from_intervals() {
     let study = Study::run(Draws { count: 200, seed: 1 }, || Ok::<_, PaperError>(())).unwrap();
     assert!(study.claims.len() > 13);
+    // A member has one rate: the runs of each loop are those of its rates.
+    for outcomes in &study.outcomes {
+        let [all, decided] = [
+            outcomes.rates.iter().map(|share| share.of).sum::<usize>(),
+            outcomes.rates.iter().map(|share| share.settle + share.grow).sum::<usize>(),
+        ];
+        assert!(all == 200 && decided <= all, "{outcomes:?}");
+    }
     for claim in &study.claims {
         for judged in [&claim.printed, &claim.ours] {
             let [low, high] = judged.interval;

@@ -213,6 +213,24 @@ fn a_softer_shape_is_a_softer_shape() {
     }
 }
 
+/// A held wall of 420 N/m on a damper of 1 N·s/m is passive from `K / (2 b) = 210 Hz` on; of the rates that divide 1 kHz the first
+/// is 250 Hz.
+#[test]
+fn the_lowest_rate_that_holds_is_told() {
+    let held = "duration = 4\nservo_rate = 1000\nenvironment_rate = 100\n\
+                device = { mass = 0.2, damping = 1.0 }\n\
+                operator = { mass = 0.1, stiffness = 50, rest = 0.01 }\ninitial.position = 0.002\n\
+                environment.wall.stiffness = 420\n";
+    let explained = Explanation::of::<f64>(&scene(held)).unwrap();
+    let mut remedies = explained.remedies.into_iter();
+    let faster = remedies.find(|it| it.changes[0].0 == "environment_rate").expect("a rate");
+    assert_eq!(faster.changes, [("environment_rate".to_owned(), Change::Number(250.0))]);
+    assert_eq!(
+        faster.scene,
+        scene(&held.replace("environment_rate = 100", "environment_rate = 250"))
+    );
+}
+
 #[test]
 fn a_loop_that_settles_needs_no_remedy() {
     let calm = "duration = 5\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 0.5 }\n\

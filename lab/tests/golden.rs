@@ -19,15 +19,18 @@ fn file() -> PathBuf {
     folder().join("golden.csv")
 }
 
-/// FNV-1a over the bits of every number of every row.
+/// FNV-1a.
+pub(crate) fn hash(bytes: impl IntoIterator<Item = u8>) -> u64 {
+    let next = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3);
+    bytes.into_iter().fold(0xCBF2_9CE4_8422_2325, next)
+}
+
+/// The hash of the bits of every number of every row.
 fn bits(scene: &Scene) -> u64 {
-    let mut hash: u64 = 0xCBF2_9CE4_8422_2325;
-    in_space!(scene, Axes => for tick in Rollout::<Axes>::of(scene).unwrap() {
-        for byte in row_numbers(&tick).flat_map(|number| number.to_bits().to_le_bytes()) {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01B3);
-        }
-    });
-    hash
+    in_space!(scene, Axes => {
+        let numbers = Rollout::<Axes>::of(scene).unwrap().flat_map(|tick| row_numbers(&tick).collect::<Vec<_>>());
+        hash(numbers.flat_map(|number| number.to_bits().to_le_bytes()))
+    })
 }
 
 /// What a scene gives in both scalars, as lines of the file, with the digits that tell every `f64` apart.

@@ -17,6 +17,7 @@ mod loops;
 mod map;
 mod map_edge;
 mod models;
+mod progress;
 mod sanity;
 mod shipped;
 mod space;

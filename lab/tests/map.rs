@@ -5,7 +5,7 @@ use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::map::{
     BasicName, Bounds, Grid, Instructions, Kernel, Lanes, Measures, Outcome, OverExact, Rendered,
-    Run, Survey,
+    Run, Survey, areas,
 };
 use lyapunov_lab::{Scene, Verdict, Yardstick};
 use proptest::prelude::*;
@@ -189,6 +189,27 @@ fn a_scene_without_a_spring_is_judged_by_its_speed() {
     }
     assert_eq!((survey.by_speed(), survey.judged(0)), (6, 6));
     assert_eq!((survey.settling(0).share, survey.bounded(0).share), (Some(0.0), Some(1.0)));
+}
+
+/// What stops without a place to rest at has settled: the table says so.
+#[test]
+fn a_share_that_settles_by_speed_is_told() {
+    let told = |more: &str| {
+        let x = format!("{STIFFNESS}=100..1000:3");
+        let grid = grid(more, &x, "environment.wall.damping=0..5:2", &[BasicName::NoStabilizer]);
+        let survey = surveyed(&grid);
+        assert_eq!(survey.by_speed(), 6);
+        let settling = survey.settling(0).share;
+        (
+            settling,
+            areas(&survey, None).lines().find(|it| it.starts_with("none")).unwrap().to_owned(),
+        )
+    };
+    let start = "initial = { position = -0.004, velocity = 0.1 }\n";
+    let (share, row) = told(&format!("operator = {{ mass = 0.1, damping = 5.0 }}\n{start}"));
+    assert!(share == Some(1.0) && row.contains("100"), "{row}");
+    let (share, row) = told(&format!("operator = {{ mass = 0.1 }}\n{start}"));
+    assert!(share == Some(0.0) && row.split_whitespace().nth(1) == Some("-"), "{row}");
 }
 
 /// A lane whose operator has no spring runs beside lanes with one, and each is judged by its own yardstick.

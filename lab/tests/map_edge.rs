@@ -1,8 +1,29 @@
 //! Edge of stability from few runs against the full map.
 
-use lyapunov_lab::map::{BasicName, Refined, Run, Side};
+use lyapunov_lab::map::{BasicName, Outcome, Refined, Run, Side};
 
 use crate::map::{STIFFNESS, grid, outcomes};
+
+/// Cells are run in tiles of 16384 rows.
+#[test]
+fn a_cell_of_a_later_tile_is_its_own() {
+    let x = format!("{STIFFNESS}=20..1500:2");
+    let more = "duration = 0.5\noperator = { mass = 0.1, damping = 0.2, stiffness = 2000.0 }\n";
+    let grid = grid(more, &x, "device.mass=0.05..0.4:16400", &[BasicName::NoStabilizer]);
+    let of = |run: Run<'_>| {
+        let mut all = Vec::new();
+        let put = &mut |_: u64, outcomes: &[Vec<Outcome>]| {
+            all.extend_from_slice(outcomes);
+            Ok(())
+        };
+        run.cells(2 * 16_384 - 4..2 * 16_384 + 8, &|| true, put).unwrap();
+        all
+    };
+    let (lanes, alone) =
+        (of(Run::of(&grid, Some(1)).unwrap()), of(Run::one_by_one(&grid, Some(1)).unwrap()));
+    assert_eq!(lanes.len(), 12);
+    assert_eq!(lanes, alone);
+}
 
 #[test]
 fn judged_cells_of_an_edge_are_those_of_the_map() {

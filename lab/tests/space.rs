@@ -199,6 +199,10 @@ fn a_run_in_a_space_comes_to_rest_where_the_summary_says() {
         assert_abs_diff_eq!(told[0], last.x, epsilon = 1e-6);
         assert_abs_diff_eq!(told[1], last.y, epsilon = 1e-6);
     }
+    // A hand that lies a nanometre deep is pushed out of the ball, not through its middle.
+    let grazing = pressed(&format!("{}{disc}", start("[0.019999999, 0.0]", "[0.03, 0.0]")));
+    let told = Summary::new(&grazing).equilibrium.expect("a place on the surface");
+    assert!((told[0] - 0.02).abs() < 1e-9 && told[1] == 0.0, "{told:?}");
     // In the very middle of a ball no direction leads out.
     let middle = pressed(&format!("{}{disc}", start("[0.0, 0.0]", "[0.01, 0.04]")));
     assert_eq!(Summary::new(&middle).equilibrium, None);

@@ -1,5 +1,6 @@
 //! The claims of the paper in the command's output: table, JSON and page.
 
+use crate::cli::paper::CASES;
 use crate::cli::place::Place;
 
 #[test]
@@ -49,6 +50,14 @@ fn the_command_prints_what_it_writes() {
         ["Definitions", "Where the energy went", "lyapunov 0.1.0", "scenes/paper-8k-lolc.toml"]
     {
         assert!(page.contains(part), "{part}");
+    }
+    // Each scene of a figure, and the command that runs it alone.
+    let drawn = CASES.iter().filter(|case| page.contains(&format!("href=\"#{case}\"")));
+    let drawn: Vec<_> = drawn.collect();
+    assert_eq!(drawn.len(), 5);
+    for case in drawn {
+        let alone = format!("lyapunov run scenes/{case}.toml --csv {case}.csv");
+        assert!(page.contains(&alone) && page.contains(&format!("id=\"{case}\"")), "{case}");
     }
     let others = place.run(["paper", "--draws", "50", "--seed", "2", "--json"]).out;
     let others: serde_json::Value = serde_json::from_str(&others).expect("json");

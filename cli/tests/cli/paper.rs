@@ -8,7 +8,7 @@ use resvg::usvg::{Options, Tree};
 
 use crate::cli::place::Place;
 
-const CASES: [&str; 6] = [
+pub(crate) const CASES: [&str; 6] = [
     "paper-50k-lolc",
     "paper-50k-none",
     "paper-50k-popc",

@@ -94,6 +94,31 @@ fn a_port_that_never_gives_asks_for_nothing() {
         assert_eq!((row.active_ticks, row.energy_taken, row.shortfall), (0, 0.0, 0.0), "{row:?}");
         assert_eq!((row.energy_given, row.rejected, row.ticks), (0.0, 0, 201), "{row:?}");
     }
+    // Ten that are equal are too long for a heading.
+    let shown = asked(&log, &scene(""), names).unwrap().to_string();
+    assert!(shown.contains("popc = 9 others"), "{shown}");
+}
+
+/// In single precision 1e39 N is no number: the tick that reads it has no effort to correct, and the next one no force that was held.
+#[test]
+fn ticks_that_a_stabilizer_cannot_take_are_counted() {
+    let mut rows = harmonic(500.0, 0.1, 0.0);
+    for row in [50, 90] {
+        rows[row].1 = 1e39;
+    }
+    let [single] = replayed(&csv(&rows), &scene("scalar = 'f32'\n"), "popc")[..] else { panic!() };
+    assert_eq!(single.rejected, 4);
+    let [double] = replayed(&csv(&rows), &scene(""), "popc")[..] else { panic!() };
+    assert_eq!(double.rejected, 0);
+}
+
+/// A log that begins and ends without a force is free of contact there, also one without any force.
+#[test]
+fn no_force_is_no_contact() {
+    let [none, swinging] = [0.0, 2000.0]
+        .map(|stiffness| asked(&csv(&harmonic(stiffness, 0.0, 0.3)), &scene(""), "none").unwrap());
+    assert!(!none.starts_in_contact && !none.ends_in_contact);
+    assert!(swinging.starts_in_contact && swinging.ends_in_contact);
 }
 
 /// POPC as the tick contract writes it, with its correction acting on the recorded motion.

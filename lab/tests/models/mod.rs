@@ -3,4 +3,4 @@
 mod bad;
 mod examples;
 mod hand;
-mod shipped;
+pub(crate) mod shipped;

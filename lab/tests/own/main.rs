@@ -134,6 +134,7 @@ fn name(name: &str) -> StabilizerName {
             .stabilizer::<cut::Cutter>()
             .stabilizer::<soak::Hasty>()
             .stabilizer::<soak::Halving>()
+            .stabilizer::<soak::Exacting>()
             .stabilizer::<soak::Dozing>()
             .stabilizer::<soak::Dazed>()
             .candidate::<MyDamping>();

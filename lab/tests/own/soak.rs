@@ -71,6 +71,11 @@ own!(Dazed, "dazed", [CAP], Damps, |on| mistaken::<V::Scalar>(
     on,
     Mistake::IsDazed { rejected: false }
 ));
+// Damps in the scalar of more digits only.
+own!(Exacting, "exacting", [CAP], Damps, |on| hand::<V::Scalar>(on, 1.0).map(|hand| {
+    let share = if V::Scalar::epsilon().below(V::Scalar::of(1e-10)).all() { 1.0 } else { 0.0 };
+    Hand { limit: hand.limit * V::Scalar::of(share), ..hand }
+}));
 own!(Dozing, "dozing", [CAP], Serves, |on| mistaken::<V::Scalar>(on, Mistake::Dozes));
 
 #[test]
@@ -104,6 +109,29 @@ fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
     assert!(tables.len() <= 5 && !text.contains("link"), "{text}");
     // A run as long as it takes to break it.
     assert!(parsed(&text).ticks() < 50, "{text}");
+}
+
+/// A held wall of 5 kN/m on 0.3 kg at 100 Hz, `K T² / m = 1.7`, runs away alone and swings under POPC.
+#[test]
+fn a_soak_finds_a_loop_that_runs_away_in_one_scalar_only() {
+    let text = |stabilizer: &str| {
+        format!(
+            "duration = 10.0
+            servo_rate = 100.0
+            operator = {{ mass = 0.1, damping = 0.2, stiffness = 50.0 }}
+            device = {{ mass = 0.2, damping = 0.1 }}
+            initial.position = -0.004
+            environment.wall.stiffness = 5000.0
+            stabilizer.{stabilizer} = {{}}"
+        )
+    };
+    name("exacting");
+    let found = breach(&parsed(&text("exacting"))).unwrap();
+    assert_eq!(found, Some(Breach::RunsAway { numbers: "f32" }));
+    // In both, or in neither, is no fault of a scalar.
+    for right in ["idle", "my-popc"] {
+        assert_eq!(breach(&parsed(&text(right))).unwrap(), None, "{right}");
+    }
 }
 
 // A loop that runs away until a damper of 2.5e-44 N s/m, less than the smallest normal number, is left to spread.

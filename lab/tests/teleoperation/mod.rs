@@ -4,5 +4,5 @@ mod bad;
 mod hand;
 mod ledger;
 mod page;
-mod shipped;
+pub(crate) mod shipped;
 mod springs;

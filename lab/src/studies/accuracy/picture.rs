@@ -43,7 +43,7 @@ impl Study {
         figure
     }
 
-    fn curve(&self, number: Number, propagator: &str) -> Vec<(f64, f64)> {
+    pub(super) fn curve(&self, number: Number, propagator: &str) -> Vec<(f64, f64)> {
         let of = |row: &&Row| {
             row.setting.number == number && row.setting.integrator.name() == propagator
         };

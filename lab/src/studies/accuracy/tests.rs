@@ -1,6 +1,7 @@
 //! Tests of the study against known figures.
 
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 
 use super::*;
 use crate::files::Scene;
@@ -52,6 +53,47 @@ fn errors_are_those_of_sixty_digits() {
     assert!(study.rows.iter().all(|row| row.is_known && row.time.median > 0.0));
     assert!(!study.basis.growth.chaotic && study.basis.distance < 1e-26);
     assert!(study.rows.windows(2).all(|pair| pair[0].time.median <= pair[1].time.median));
+
+    // A hundred ticks a second: no tick is done in half a nanosecond, and none takes as long as a tenth of a millisecond.
+    let exact = study.rows.iter().find(|row| row.setting.integrator.name() == "exact").unwrap();
+    assert!((50.0..1e7).contains(&exact.time.median), "{:?}", exact.time);
+    // The figure has a point for each step of a method, from the coarsest to the finest.
+    let curve = study.curve(Number::F64, "rk4");
+    assert_eq!(curve.len(), 7);
+    for (point, steps) in curve.iter().zip([1, 2, 5, 10, 20, 50, 100]) {
+        assert!((point.1 - double("rk4", Some(steps)).log10()).abs() < 1e-12, "{steps}: {point:?}");
+    }
+}
+
+/// Shares that are told on the way have no gap of more than a fifth.
+#[test]
+fn progress_is_told_evenly() {
+    let told = Mutex::new(vec![0.0, 1.0]);
+    let scene = Scene::parse(WALL, "scene.toml").unwrap();
+    let watch = |share| {
+        told.lock().unwrap().push(share);
+        ControlFlow::Continue(())
+    };
+    Study::watched("scene.toml", &scene, &watch).unwrap();
+    let mut told = told.into_inner().unwrap();
+    told.sort_by(f64::total_cmp);
+    let gap = told.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    assert!(told[0] == 0.0 && told[told.len() - 1] == 1.0 && gap < 0.2, "{gap}");
+}
+
+#[test]
+fn a_duration_has_the_unit_that_suits_it() {
+    for (nanoseconds, shown) in [
+        (0.5, "0.50 ns"),
+        (12.34, "12.3 ns"),
+        (999.4, "999 ns"),
+        (999.6, "1.00 µs"),
+        (26_700.0, "26.7 µs"),
+        (1.5e6, "1.50 ms"),
+        (2e9, "2000 ms"),
+    ] {
+        assert_eq!(table::duration(nanoseconds), shown);
+    }
 }
 
 /// The controlled loop: moving the start by 1e-13 m moves the trace by 1e-8 m after 2 s and by 1e-5 m after 3 s, so
@@ -70,6 +112,14 @@ fn the_controlled_wall_is_chaotic() {
     };
     assert!((3.0..5.0).contains(&exact(Number::F64)), "{}", exact(Number::F64));
     assert!(exact(Number::F32) < exact(Number::F64));
+    // The references tell for as long as their distance is a hundredth of what is believed, or less.
+    let basis = &study.basis;
+    let watch = |_| ControlFlow::Continue(());
+    let ticks = trace::Progress::new(&watch);
+    let references = reference::References::of(&study.scene, basis.all_ticks, ticks).unwrap();
+    let within = |ticks| 100.0 * references.distance(ticks) <= basis.believed;
+    assert!(within(basis.agreeing) && !within(basis.agreeing + 1), "{}", basis.agreeing);
+    assert!(basis.agreeing as f64 * study.scene.period() > exact(Number::F64));
     assert!(study.rows.iter().any(|row| row.setting.number == Number::F32WithWideLedger));
     let shown = study.to_string();
     assert!(shown.lines().all(|line| line.chars().count() <= 100), "{shown}");

@@ -41,3 +41,18 @@ impl Numbers<'_> {
         self.values().iter().all(|number| number.abs() <= MODERATE)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_number_that_is_not_moderate_makes_all_of_them_so() {
+        assert!(Numbers::All(-MODERATE).are_moderate());
+        assert!(Numbers::Each(&[0.0, MODERATE]).are_moderate());
+        for number in [2.0 * MODERATE, -2.0 * MODERATE, f64::INFINITY, f64::NAN] {
+            assert!(!Numbers::All(number).are_moderate());
+            assert!(!Numbers::Each(&[0.0, number, 1.0]).are_moderate());
+        }
+    }
+}

@@ -169,6 +169,11 @@ mod tests {
         assert!(!is_sure::<f64>(Numbers { start: 1e-160, ..NUMBERS }, 0));
         // At rest nothing moves, and no quotient is small.
         assert!(is_sure::<f32>(Numbers { start: 0.0, ..NUMBERS }, 0));
+        // Each number of the port by itself.
+        let rest = Numbers { start: 0.0, ..NUMBERS };
+        for immoderate in [Numbers { damping: 1e7, ..rest }, Numbers { most: 1e7, ..rest }] {
+            assert!(!is_sure::<f32>(immoderate, 0) && !is_sure::<f64>(immoderate, 0));
+        }
         // As far away as is moderate, until a wall throws the hand farther.
         let far = Numbers { stiffness: 9e5, start: -9e5, ..NUMBERS };
         for (before, moderate) in [(32, true), (128, false)] {
