@@ -61,6 +61,20 @@ fn the_paper_s_scenes_come_out_as_known() {
     }
 }
 
+/// A step of each costs something else, though the runs are equal.
+#[test]
+fn equal_entrants_show_their_costs_as_a_range() {
+    let scene = Case::Plain50k.scene().unwrap();
+    let mut comparison = Comparison::of("test", &scene, &Entrants::<f64>::standard()).unwrap();
+    for (outcome, median) in comparison.outcomes.iter_mut().zip([1.0, 2.25, 4.5, 8.0, 16.0]) {
+        let time = outcome.score.step_time.unwrap();
+        outcome.score.step_time = Some(StepTime { median, ..time });
+    }
+    let shown = comparison.to_string();
+    let rows = shown.lines().filter(|line| line.starts_with("popc = "));
+    assert!(rows.into_iter().any(|row| row.contains("2.25 to 8.00")), "{shown}");
+}
+
 /// Checks every column that comes from rows against all rows at once.
 fn check_against_rows(scene: &Scene, damper: Damper) {
     let entrants = Entrants::<f64>::empty().with("damper", move |_| Ok(damper));

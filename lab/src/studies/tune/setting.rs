@@ -123,6 +123,35 @@ mod tests {
         Number { key: "a.b", unit: "", value: lower, is_whole: false, range }
     }
 
+    /// A credit is searched from a thousandth to ten times of the energy of the start, `(m v² + k x²) / 2`.
+    #[test]
+    fn a_range_is_about_the_value_that_it_searches_from() {
+        let text = "duration = 1.0\nservo_rate = 1000.0\ndevice = { mass = 0.2, damping = 1.0 }\n\
+            operator = { mass = 0.1, stiffness = 50.0 }\n\
+            initial = { position = -0.004, velocity = 0.02 }\n\
+            environment.wall.stiffness = 2000.0\n";
+        let scene = Scene::parse(text, "test").unwrap();
+        let energy: f64 = 0.5 * (0.3 * 0.02_f64.powi(2) + 50.0 * 0.004_f64.powi(2));
+        let mut credits = 0;
+        for member in StabilizerName::ALL {
+            for number in Setting::of(&scene, member).numbers {
+                let Search { lower, upper, .. } = number.range;
+                assert!(0.0 <= lower && lower < upper && upper.is_finite(), "{number:?}");
+                assert!(
+                    number.value.is_infinite() || (lower..=upper).contains(&number.value),
+                    "{number:?}"
+                );
+                if number.name() == "credit" {
+                    credits += 1;
+                    for (end, share) in [(lower, 1e-3), (upper, 10.0)] {
+                        assert!((end / (share * energy) - 1.0).abs() < 1e-12, "{number:?}");
+                    }
+                }
+            }
+        }
+        assert!(credits > 0);
+    }
+
     #[test]
     fn a_place_and_its_value_belong_together() {
         let ratios = number(0.01, 100.0, Spacing::Logarithmic);
