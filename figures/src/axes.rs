@@ -167,7 +167,33 @@ mod tests {
             for width in [20.0, 60.0, 150.0, 700.0] {
                 let ticks = x_ticks(span, Numbering::Plain, width, 11.0);
                 assert!(!ticks.marks.is_empty());
-                assert!(stand_apart(&ticks, span, width, 11.0), "{low} {high} {width}");
+                let ends: Vec<(f64, f64)> = ticks
+                    .marks
+                    .iter()
+                    .map(|tick| {
+                        let half = 0.5 * text::width(&tick.label, 11.0, Weight::Regular);
+                        let centre = (tick.value - low) / (high - low) * width;
+                        (centre - half, centre + half)
+                    })
+                    .collect();
+                let apart = ends.windows(2).all(|pair| pair[1].0 - pair[0].1 > 10.99);
+                assert!(apart, "{low} {high} {width}: {ends:?}");
+            }
+        }
+    }
+
+    /// The most of which any count stands apart.
+    #[test]
+    fn as_many_numbers_as_fit_stand_on_the_abscissa() {
+        for (low, high) in [(0.0, 2.0), (0.0, 1e6), (-0.001, 0.0015), (0.1, 0.1001)] {
+            let span = Span { low, high };
+            for width in (6..60).map(|it| 12.0 * f64::from(it)) {
+                let most = ((width / 55.0) as usize).clamp(2, 12);
+                let fits =
+                    |count: &usize| stand_apart(&Ticks::within(span, *count), span, width, 11.0);
+                let expected = (2..=most).rev().find(fits).map(|it| Ticks::within(span, it));
+                let found = x_ticks(span, Numbering::Plain, width, 11.0);
+                assert!(expected.is_none_or(|it| it == found), "{low} {high} {width}");
             }
         }
     }

@@ -14,4 +14,4 @@ pub(crate) use excerpt::shorten;
 pub(crate) use file_name::file_name;
 pub(crate) use numbers::{found, given};
 pub(crate) use suggest::nearest;
-pub(crate) use words::{folded, listed};
+pub(crate) use words::{folded, listed, shortened_names};

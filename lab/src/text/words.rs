@@ -1,4 +1,4 @@
-//! Sentences folded between words to fit a terminal.
+//! Words that fit their place: sentences folded to a terminal's width, and names in one cell.
 
 use textwrap::core::display_width;
 use textwrap::{Options, WordSplitter};
@@ -24,6 +24,18 @@ pub(crate) fn listed(label: &str, things: &[String]) -> String {
     folded(label, &things.join(", ")).replace('\u{a0}', " ")
 }
 
+/// Names of what is equal for a place of `room` characters: all, or the first and the number of the others.
+pub(crate) fn shortened_names(names: &[&str], room: usize) -> String {
+    let all = names.join(" = ");
+    match names {
+        [_, _, ..] if all.chars().count() > room => match names.len() - 1 {
+            1 => format!("{} = 1 other", names[0]),
+            others => format!("{} = {others} others", names[0]),
+        },
+        _ => all,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,5 +59,12 @@ mod tests {
         for line in listed("all ", &things).lines() {
             assert!(line.len() <= WIDTH && !line.ends_with("thing") && !line.ends_with("number"));
         }
+    }
+    #[test]
+    fn equal_names_that_have_no_room_are_counted() {
+        assert_eq!(shortened_names(&["none"], 2), "none");
+        assert_eq!(shortened_names(&["popc", "lolc"], 11), "popc = lolc");
+        assert_eq!(shortened_names(&["popc", "lolc"], 10), "popc = 1 other");
+        assert_eq!(shortened_names(&["popc", "lolc", "tank"], 11), "popc = 2 others");
     }
 }

@@ -4,6 +4,7 @@ use super::column::Column;
 use super::comparison::Outcome;
 use super::entrant_run::Curves;
 use super::score::Score;
+use crate::text::shortened_names;
 
 /// Entrants whose runs are equal in every number that is shown and in every curve, in the order of the table: the first
 /// stands for all.
@@ -47,19 +48,7 @@ impl<'a> Equals<'a> {
     /// All names for a narrow place.
     pub(super) fn short_name(&self, room: usize) -> String {
         let names: Vec<&str> = self.scores().map(|score| &score.stabilizer[..]).collect();
-        short(&names, room)
-    }
-}
-
-/// Names of what is equal for a place of `room` characters: all, or the first and the number of the others.
-pub(super) fn short(names: &[&str], room: usize) -> String {
-    let all = names.join(" = ");
-    match names {
-        [_, _, ..] if all.chars().count() > room => match names.len() - 1 {
-            1 => format!("{} = 1 other", names[0]),
-            others => format!("{} = {others} others", names[0]),
-        },
-        _ => all,
+        shortened_names(&names, room)
     }
 }
 

@@ -1,13 +1,13 @@
 //! Figures of all entrants' curves: overlaid, or for many a small panel each. Equal curves are drawn once.
 
 use super::comparison::{Comparison, Outcome};
-use super::equal::{Points, is_same, short};
+use super::equal::{Points, is_same};
 use super::table::Setting;
 use crate::files::Scene;
 use crate::measure::Verdict;
 use crate::measure::timing::quartiles;
 use crate::simulate::Criterion;
-use crate::text::file_name;
+use crate::text::{file_name, shortened_names};
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
 
 /// Height of a small panel, in pixels of the drawing, and how many stand side by side.
@@ -162,7 +162,7 @@ impl Drawing<'_> {
             let is_apart = range.is_some_and(|range| !is_usual(&range));
             let shown = if is_apart { *range } else { common };
             let panel = Panel::new(
-                short(&one.names, ROOM),
+                shortened_names(&one.names, ROOM),
                 "time, s",
                 format!("{}, {}", self.label, self.unit),
             );

@@ -1,7 +1,7 @@
 //! Stabilizers that show the same numbers.
 
 use super::{Replay, Replayed};
-use crate::text::found;
+use crate::text::{found, shortened_names};
 
 /// Characters of the names that a heading has room for.
 const ROOM: usize = 28;
@@ -23,13 +23,7 @@ impl Group<'_> {
 
     /// All names, or for a narrow place the first and the number of the others.
     pub(super) fn name(&self) -> String {
-        let all = self.names.join(" = ");
-        match self.names.len() {
-            3.. if all.len() > ROOM => {
-                format!("{} = {} others", self.names[0], self.names.len() - 1)
-            }
-            _ => all,
-        }
+        shortened_names(&self.names, ROOM)
     }
 }
 
