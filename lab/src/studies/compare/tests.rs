@@ -299,6 +299,10 @@ fn figures_end_a_curve_that_grows_where_it_leaves_the_frame() {
     let (low, high) = position.y_range.unwrap();
     assert!((-13.0..-10.0).contains(&low) && (0.0..2.0).contains(&high), "{low} {high}");
     assert!(position.series[0].points.len() < 50 && position.series[1].points.len() == 1001);
+    // It is drawn to the first point outside, so that the line meets the frame.
+    let (last, kept) = position.series[0].points.split_last().unwrap();
+    let is_within = |point: &(f64, f64)| (low..=high).contains(&point.1);
+    assert!(kept.iter().all(is_within) && !is_within(last), "{last:?}");
     // POPC is LOLC with a spring as its candidate: one curve with both names. Every name is there once.
     assert!(position.series[1].label.starts_with("popc = lolc-spring"), "{position:?}");
     for (panel, count) in [(position, 5), (energy, 4)] {
@@ -329,6 +333,17 @@ fn figures_end_a_curve_that_grows_where_it_leaves_the_frame() {
         let (low, high) = panel.y_range.unwrap();
         assert!(size == 0.0 || size > 0.1 * (high - low), "{}: {size}", panel.title);
     }
+
+    // As many forces as there are colours share a frame.
+    let panels = |count: u32| {
+        let damped = |all: Entrants<f64>, it| {
+            all.with(format!("damper {it}"), move |_| Ok(Damper(0.5 * f64::from(it))))
+        };
+        let entrants = (1..=count).fold(Entrants::<f64>::empty(), damped);
+        Comparison::of("press", &press(""), &entrants).unwrap().forces().panels.len()
+    };
+    let colours = lyapunov_figures::PALETTE.len() as u32;
+    assert_eq!([panels(colours), panels(colours + 1)], [1, colours as usize + 1]);
 
     let alone = Entrants::<f64>::empty().with("pump", |_| Ok(Damper(-40.0)));
     let alone = Comparison::of("alone", &Case::Plain8k.scene().unwrap(), &alone).unwrap();
