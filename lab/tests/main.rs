@@ -15,6 +15,7 @@ mod lanes;
 mod late_cap;
 mod loops;
 mod map;
+mod map_cells;
 mod map_edge;
 mod models;
 mod progress;

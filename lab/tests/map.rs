@@ -1,7 +1,6 @@
 //! Maps from outside: lanes against single runs, and both against the comparison of stabilizers.
 
 use lyapunov_lab::bound::Limits;
-use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::map::{
     BasicName, Bounds, Grid, Instructions, Kernel, Lanes, Measures, Outcome, OverExact, Rendered,
@@ -118,38 +117,6 @@ proptest! {
         let single = outcomes(&grid, true, 1);
         let single: Vec<_> = single.iter().map(|it| (it[0].verdict, it[0].verdict_by)).collect();
         prop_assert_eq!(&single, &alone.0);
-    }
-}
-
-/// The comparison of stabilizers measures the same runs row by row.
-#[test]
-fn cells_are_what_the_comparison_says() {
-    for more in [
-        "duration = 2.0\n",
-        "duration = 1.2\neffects.delay.ticks = 2\neffects.saturation.force = 3.0\n",
-    ] {
-        let x = format!("{STIFFNESS}=500..9000:3");
-        let grid = grid(more, &x, "environment.wall.damping=1..30:2", &StabilizerName::ALL);
-        let all = outcomes(&grid, false, 2);
-        for (cell, outcomes) in (0..).zip(all) {
-            let scene = grid.scene_of(cell).unwrap();
-            let entrants = Entrants::<f64>::of(StabilizerName::ALL);
-            let comparison = Comparison::of("cell", &scene, &entrants).unwrap();
-            for (score, outcome) in comparison.scores().zip(outcomes) {
-                assert_eq!(outcome.verdict, score.verdict);
-                if score.verdict.is_bounded() {
-                    let it = outcome.measures;
-                    assert_eq!(it.settling_time, score.settling_time);
-                    assert_eq!(it.energy_injected, score.energy_injected.map(|it| it + 0.0));
-                    assert_eq!(it.energy_taken, score.energy_taken);
-                    assert_eq!((it.active, it.chatter), (score.active, score.chatter));
-                    assert_eq!(it.energy_given, score.energy_given);
-                    assert_eq!(it.energy_given_beyond_damper, score.energy_given_beyond_damper);
-                    assert_eq!(it.force_felt, score.force_felt);
-                    assert_eq!(it.stiffness_felt, score.stiffness_percent);
-                }
-            }
-        }
     }
 }
 

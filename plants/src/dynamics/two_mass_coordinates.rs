@@ -90,3 +90,15 @@ impl<V: Signal> Coordinates<V> for TwoMassCoordinates<V> {
         self.device
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn either_coordinate_alone_is_not_zero() {
+        let at = |device, stretch| TwoMassCoordinates { device, stretch };
+        assert!(TwoMassCoordinates::<f64>::zero().is_zero());
+        assert!(!at(1.0, 0.0).is_zero() && !at(0.0, 1.0).is_zero());
+    }
+}
