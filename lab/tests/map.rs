@@ -179,6 +179,16 @@ fn a_share_that_settles_by_speed_is_told() {
     assert!(share == Some(0.0) && row.split_whitespace().nth(1) == Some("-"), "{row}");
 }
 
+/// A hand that is moved rests elsewhere in each lane.
+#[test]
+fn hands_that_are_moved_about_other_rests_are_their_own() {
+    let more = "duration = 2.0\neffects.encoder.resolution = 1e-5\noperator = { mass = 0.1, damping = 2.0, stiffness = 50.0, \
+                motion = { kind = \"sine\", amplitude = 0.004, frequency = 2.0 } }\n";
+    let x = "operator.rest=-0.01..0.01:9";
+    let grid = grid(more, x, &format!("{STIFFNESS}=100..900:2"), &[BasicName::Popc]);
+    assert_eq!(outcomes(&grid, false, 2), outcomes(&grid, true, 1));
+}
+
 /// A lane whose operator has no spring runs beside lanes with one, and each is judged by its own yardstick.
 #[test]
 fn lanes_of_both_yardsticks_have_the_bits_of_single_runs() {

@@ -92,6 +92,16 @@ fn a_made_scene_shows_each_sign() {
     told("initial", fast, unit, &["initial.velocity is 150 m/s", "in mm/s?"]);
     told("effects", "{ encoder = { resolution = 0.01 } }", unit, &["resolution is 0.01 m", "mm?"]);
     told("effects", "{ saturation = { force = 4e-4 } }", unit, &["force is 4e-4 N", "in kN?"]);
+    let far = "{ mass = 0.1, damping = 2.0, stiffness = 100.0, motion = { kind = \"sine\", amplitude = 6.0, frequency = 0.1 } }";
+    told("operator", far, unit, &["to operator.motion.amplitude are 6.004 m", "in mm?"]);
+    // What is just as large as a bound is not beyond it.
+    let even = "{ mass-spring-damper = { stiffness = 800.0, damping = -4.0 } }";
+    for (key, value, words) in
+        [("environment", even, "burn"), ("initial", "{ velocity = 20.0 }", "initial.velocity")]
+    {
+        let found = of_run(&press(&[(key, value)]));
+        assert!(found.iter().all(|it| !it.text.contains(words)), "{found:?}");
+    }
     let away = "{ wall = { position = 20.0, stiffness = 800.0 } }";
     told("environment", away, Sign::Untouched, &["all 2001 ticks", "surface is at 20000 mm"]);
     let lost = "{ dropout = { probability = 1.0, seed = 1, policy = \"hold\" } }";

@@ -234,6 +234,40 @@ fn the_ground_under_the_leg_only_dissipates() {
     assert!(standing > 1000);
 }
 
+/// `Jᵀ F` with the differences of the foot's place for `J`.
+#[test]
+fn the_ground_pushes_the_leg_by_its_law() {
+    let leg = leg::<f64>();
+    let arm = TwoLinkArm::new(RigidLink::rod(4.0, 0.4), RigidLink::rod(2.5, 0.45)).expect("an arm");
+    let posture = Vector4::new(0.3, -0.6, 0.0, 0.0);
+    let place = |q: Vector4<f64>| {
+        let (hip, shank) = (q[0], q[0] + q[1]);
+        let over = 0.4 * hip.sin() + 0.45 * shank.sin();
+        Vector2::new(over, -(0.4 * hip.cos() + 0.45 * shank.cos()))
+    };
+    let (mut draw, mut standing) = (Draw(8), 0);
+    for _ in 0..1000 {
+        let state: Vector4<f64> = draw.vector(0.5);
+        let q = state + posture;
+        let column = |joint: usize| {
+            let step = Vector4::from_fn(|row, _| if row == joint { 1e-6 } else { 0.0 });
+            (place(q + step) - place(q - step)) / 2e-6
+        };
+        let [hip, knee] = [column(0), column(1)];
+        let velocity = hip * q[2] + knee * q[3];
+        let depth = (place(posture) - place(q))[1].max(0.0);
+        standing += usize::from(depth > 0.0);
+        let load = 2e4 * depth * (1.0 - 0.5 * velocity[1]).max(0.0);
+        let force = Vector2::new(-0.2 * load * velocity[0], load);
+        let [first, second] = arm.input_fields(q);
+        let pushed = first * hip.dot(&force) + second * knee.dot(&force);
+        let expected = arm.drift(q) + pushed;
+        let off = (leg.drift(state) - expected).norm();
+        assert!(off < 1e-6 * (1.0 + expected.norm()), "{state}: off by {off}");
+    }
+    assert!(standing > 100);
+}
+
 /// A leg in the air is the arm, in other coordinates.
 #[test]
 fn in_the_air_the_leg_is_an_arm() {

@@ -23,7 +23,17 @@ const COMMANDS: &[(&str, &str)] = &[
     ("observe", "observe mujoco-wall.csv"),
     ("replay", "observe mujoco-wall.csv --scene paper-8k-none.toml --stabilizers all"),
     ("identify", "identify mujoco-encoder.csv"),
+    ("gaps", "observe gaps.csv"),
+    ("later", "identify gaps.csv"),
+    ("moving", "run moving-wall.toml"),
+    ("cubic", "bound cubic-spring.toml"),
+    ("varying", "explain varying-spring.toml"),
+    ("claims", "paper --draws 40 --seed 3"),
     ("tune", "tune delay.toml --trials 3 --runs 2"),
+    (
+        "stiff",
+        "tune press-1khz.toml --objective stiffness --trials 2 --runs 1 --stabilizers popc,popc-bounded",
+    ),
     ("sweep", "map tour.toml --x device.mass=0.1..0.4:7 --stabilizers none,popc"),
     (
         "map",
@@ -80,7 +90,21 @@ fn place() -> Place {
             }
         }
     }
+    place.put("gaps.csv", gaps());
     place
+}
+
+/// A log that begins later than at 0: a hand swings in parabolas against a spring of 800 N/m, a tenth of a second is lost, and
+/// two rows are no numbers.
+fn gaps() -> String {
+    let row = |n: u32| {
+        let (t, phase) = (5.0 + 1e-3 * f64::from(n), f64::from(n % 127) / 63.5 - 1.0);
+        let x = 0.016 * phase * (1.0 - phase.abs()) * (1.0 - 5e-4 * f64::from(n));
+        let force = if n % 700 == 350 { f64::NAN } else { 800.0 * x.max(0.0) };
+        format!("{t:?},{x:?},{force:?}\n")
+    };
+    let rows = (0..1200).filter(|n| !(500..600).contains(n)).map(row);
+    "t,x,f\n".to_owned() + &rows.collect::<String>()
 }
 
 /// A line for what a command prints, and for each of its files. Pixels are left out: other processors round them otherwise.

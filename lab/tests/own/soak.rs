@@ -197,6 +197,10 @@ fn a_sweep_of_faults_finds_who_does_not_recover() {
     assert!(right.found.is_none() && right.recovery == 1, "{right:?}");
     let found = swept("dazed").found.expect("a breach");
     assert_eq!(found.broken, Broken::Law(Law::Recovers), "{found}");
+    // What is told says the fault, where it begins, and the law with its remedy.
+    let told = found.to_string();
+    assert!(told.starts_with("in f") && told.contains("at tick 5 and so on, sample"), "{told}");
+    assert!(told.ends_with(&Law::Recovers.to_string()) && told.contains(&found.fault.to_string()));
     let found = swept("halving").found.expect("a breach");
     assert_eq!(found.broken, Broken::Law(Law::Injects), "{found}");
 }

@@ -308,3 +308,24 @@ fn increments(rates: &DMatrix<DoubleDouble>) -> DMatrix<DoubleDouble> {
     }
     increment
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A turn by `angle`, `exp((0, angle; -angle, 0)) = (cos, sin; -sin, cos)`, and a decay beside it.
+    #[test]
+    fn increments_of_a_fast_swing_are_those_of_a_turn() {
+        for angle in [1e-3, 0.4, 3.0, 40.0] {
+            let rows =
+                [0.0, angle, 0.0, -angle, 0.0, 0.0, 0.0, 0.0, -angle].map(DoubleDouble::from);
+            let found = increments(&DMatrix::from_row_slice(3, 3, &rows));
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            let want = [cos - 1.0, sin, 0.0, -sin, cos - 1.0, 0.0, 0.0, 0.0, libm::expm1(-angle)];
+            for (index, want) in want.into_iter().enumerate() {
+                let off = f64::from(found[(index / 3, index % 3)]) - want;
+                assert!(off.abs() < 1e-15 * (1.0 + angle), "{angle}: {index} is off by {off}");
+            }
+        }
+    }
+}

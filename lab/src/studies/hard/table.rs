@@ -78,3 +78,25 @@ pub(super) fn number(value: f64) -> String {
         format!("{value:.2e}")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits_in_the_shorter_form() {
+        for (value, shown) in [
+            (0.0, "0"),
+            (1.0, "1"),
+            (-2.5, "-2.5"),
+            (0.001_234_6, "0.001235"),
+            (123.456, "123.5"),
+            (9999.0, "9999"),
+            (12_345.0, "1.23e4"),
+            (0.000_5, "5.00e-4"),
+            (f64::INFINITY, "inf"),
+        ] {
+            assert_eq!(number(value), shown);
+        }
+    }
+}

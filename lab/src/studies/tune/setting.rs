@@ -157,8 +157,8 @@ mod tests {
         let ratios = number(0.01, 100.0, Spacing::Logarithmic);
         assert_eq!([0.0, 0.25, 0.5, 1.0].map(|at| ratios.at(at).value), [0.01, 0.1, 1.0, 100.0]);
         assert!((ratios.at(0.25).place() - 0.25).abs() < 1e-12);
-        let steps = number(2.0, 4.0, Spacing::Linear);
-        assert_eq!([0.0, 0.25, 1.0].map(|at| steps.at(at).value), [2.0, 2.5, 4.0]);
+        let steps = number(2.0, 6.0, Spacing::Linear);
+        assert_eq!([0.0, 0.25, 1.0].map(|at| steps.at(at).value), [2.0, 3.0, 6.0]);
         let whole = Number { is_whole: true, ..steps };
         assert_eq!(whole.at(0.3).value, 3.0);
         let endless = Number { value: f64::INFINITY, ..ratios };

@@ -195,3 +195,42 @@ fn elsewhere(dimensions: usize) -> ParameterError {
     let requirement = Requirement::InRange;
     ParameterError { parameter: "dimensions", value: dimensions as f64, requirement }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::files::Scene;
+    use crate::files::shipped::SCENES;
+    use lyapunov::environments::{Kinematics, Time};
+
+    /// Differences of the force along a motion, at many places and times, are at most those of the steepest spring, and come
+    /// near them.
+    #[test]
+    fn no_force_rises_faster_than_the_steepest_spring() {
+        let mut springs = 0;
+        for shipped in SCENES {
+            let Ok(scene) = Scene::parse(shipped.text, shipped.name) else { continue };
+            let (Some(law), Some(steepest)) = (scene.law(), scene.environment.kind().steepest())
+            else {
+                continue;
+            };
+            let force = |time: f64, position: f64| {
+                let still = Kinematics::at(position, 0.0);
+                law.force(&Kinematics { time: Time::Seconds(time), ..still })
+            };
+            let surface = law.surface(Time::Seconds(0.0)).map_or(0.0, |it| it.position);
+            let rise = |at: u32| {
+                let (time, position) =
+                    (0.01 * f64::from(at % 101), surface + 1e-4 * f64::from(at / 101) - 0.02);
+                let [from, to] = [position, position + 1e-4].map(|it| force(time, it));
+                // A damper pushes at once where a surface is met.
+                if from == 0.0 || to == 0.0 { 0.0 } else { (to - from) / 1e-4 }
+            };
+            let most = (0..101 * 400).map(rise).map(f64::abs).fold(0.0, f64::max);
+            let share = most / steepest.stiffness.abs();
+            assert!((0.9..1.0 + 1e-6).contains(&share), "{}: {share}", shipped.name);
+            springs += 1;
+        }
+        assert!(springs > 8, "{springs}");
+    }
+}
