@@ -259,6 +259,18 @@ mod tests {
         }
     }
 
+    /// A curve between 0 and 2 needs no point at 1; of a cloud each level is seen.
+    #[test]
+    fn dots_between_others_are_kept() {
+        let points =
+            (0..30_000).map(|tick| (f64::from(tick) * 1e-3, f64::from(tick % 3))).collect();
+        let (x, y) = (Span { low: 0.0, high: 30.0 }, Span { low: 0.0, high: 2.0 });
+        let found = kept(&Series::dots("", 0, points), x, y, 0.1);
+        let at = |level: f64| found.iter().filter(|it| (it.1 - level).abs() < 1e-9).count();
+        let [low, middle, high] = [0.0, 1.0, 2.0].map(at);
+        assert!(low > 100 && middle * 10 > low * 9 && high * 10 > low * 9, "{low} {middle} {high}");
+    }
+
     #[test]
     fn cells_are_told_as_long_as_they_fit() {
         let map = |side: usize| {

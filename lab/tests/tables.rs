@@ -3,8 +3,10 @@
 use std::collections::BTreeSet;
 
 use lyapunov_lab::family::StabilizerName;
+use lyapunov_lab::hard::soak::Soak;
 use lyapunov_lab::map::{Axis, Grid};
 use lyapunov_lab::scene::{Member, Parameter, Spacing};
+use lyapunov_lab::scenes::text_of;
 use lyapunov_lab::{Rollout, Row, SVector, Scene};
 
 /// A hand of 0.5 kg on 50 N/m that is let go 40 mm before a wall at 250 Hz: it swings through the wall and back.
@@ -280,6 +282,25 @@ fn directed_damping_on_a_line_is_popc() {
         );
     }
     assert!(popc.iter().take(300).any(|row| row.alpha > 0.0));
+}
+
+#[test]
+fn a_scene_that_is_written_is_read_as_it_was() {
+    let soak = Soak { seed: 3, stabilizer: None };
+    let plane = text_of("plane").unwrap();
+    let directed = |of: &str, direction: &str| {
+        scene(&format!("{of}\n[stabilizer.directed-damping]\ndirection = {direction}\n"))
+    };
+    let made = (0..300).map(|case| soak.scene(case).unwrap());
+    for scene in made.chain([directed(LOOP, "-2.0"), directed(plane, "[0.6, 0.8]")]) {
+        let text = toml::to_string(&scene).unwrap();
+        // With what it left to the defaults.
+        let again = Scene::parse(&text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+        assert_eq!(toml::to_string(&again).unwrap(), text);
+        if let Some(table) = text.split_once("direction = ") {
+            assert!(table.1.starts_with("-2.0") || table.1.starts_with("[0.6, 0.8]"), "{text}");
+        }
+    }
 }
 
 /// An axis of a map: numbers of a table that the scene has, written or not, whole or not.
