@@ -94,6 +94,19 @@ fn a_made_scene_shows_each_sign() {
     told("effects", "{ saturation = { force = 4e-4 } }", unit, &["force is 4e-4 N", "in kN?"]);
     let far = "{ mass = 0.1, damping = 2.0, stiffness = 100.0, motion = { kind = \"sine\", amplitude = 6.0, frequency = 0.1 } }";
     told("operator", far, unit, &["to operator.motion.amplitude are 6.004 m", "in mm?"]);
+    // A wall without a damper gives nothing of its own; one that pushes along does.
+    for (damping, told) in [(0.0, 0), (-0.1, 1)] {
+        let coupled = press(&[
+            (
+                "environment",
+                &format!("{{ mass-spring-damper = {{ stiffness = 80.0, damping = {damping} }} }}"),
+            ),
+            ("stabilizer", "{ virtual-coupling = {} }"),
+        ]);
+        let found =
+            of_run(&coupled).into_iter().filter(|it| it.text.contains("passive environment"));
+        assert_eq!(found.count(), told, "{damping}");
+    }
     // What is just as large as a bound is not beyond it.
     let even = "{ mass-spring-damper = { stiffness = 800.0, damping = -4.0 } }";
     for (key, value, words) in

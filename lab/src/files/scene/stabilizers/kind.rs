@@ -112,7 +112,7 @@ pub(crate) trait StabilizerKind: Numbers {
     }
 
     /// Whether it makes the promises of POPC: it serves every debt at once, and credits nothing that may not have been
-    /// dissipated.
+    /// dissipated. The tables of `popc` and `lolc` are not asked: their names say it.
     fn promises(&self) -> bool {
         false
     }

@@ -38,8 +38,4 @@ impl StabilizerKind for Lolc {
         };
         Pledge { work: self.work, ..pledge }
     }
-
-    fn promises(&self) -> bool {
-        self.candidate != Candidate::MassSpringDamper
-    }
 }
