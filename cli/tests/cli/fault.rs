@@ -69,6 +69,10 @@ fn sweep(place: &Place, command: &[&str], mut check: impl FnMut(&Place, &str, &S
 fn is_told(command: &[&str]) {
     let place = Place::new();
     place.put_scene("scene.toml", "duration = 10.0", "duration = 1.0");
+    place.put(
+        "log.csv",
+        "t,x,f\n0.000,0.000,0.0\n0.001,0.001,0.5\n0.002,0.002,1.0\n0.003,0.001,0.5\n",
+    );
     // The page tells the command, and so the folder.
     let command = [command, &["--quiet", "--out", "out"]].concat();
     place.run(&command).ended(0, &[]);
@@ -98,6 +102,8 @@ fn a_fault_of_any_call_leaves_whole_files_and_is_told() {
     }
     is_told(&["run", "scene.toml"]);
     is_told(&["explain", "scene.toml"]);
+    is_told(&["bound", "scene.toml"]);
+    is_told(&["observe", "log.csv"]);
     is_told(&["map", "scene.toml", "--x", "environment.wall.stiffness=500..20000:3"]);
     is_told(&["tune", "scene.toml", "--stabilizers", "popc", "--trials", "2", "--runs", "2"]);
 }

@@ -69,3 +69,15 @@ fn word(radius: f64) -> &'static str {
         ": the linear loop is just not stable"
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_radius_of_one_is_just_not_stable() {
+        let words = [0.999, 1.0, 1.001].map(word);
+        assert_eq!(words.map(|it| it.contains("is stable")), [true, false, false]);
+        assert_eq!(words.map(|it| it.contains("just not")), [false, true, false]);
+    }
+}

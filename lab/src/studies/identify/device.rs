@@ -280,3 +280,28 @@ fn excerpt(stretches: &[Stretch]) -> Option<Stretch> {
         velocities: part(&stretch.velocities),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_excerpt_is_about_the_largest_force_of_either_sign() {
+        let numbers =
+            |scale: f64| (0..10_000).map(|row| scale * f64::from(row)).collect::<Vec<_>>();
+        for (at, first) in [(0, 0), (1500, 0), (7000, 5000), (9999, 6000)] {
+            let mut forces = vec![0.5; 10_000];
+            forces[at] = -3.0;
+            let long = Stretch {
+                times: numbers(1e-3),
+                positions: numbers(1.0),
+                forces,
+                velocities: numbers(2.0),
+            };
+            let short = Stretch { forces: vec![2.0; 100], ..long.clone() };
+            let found = excerpt(&[short, long]).unwrap();
+            assert_eq!((found.len(), found.positions[0]), (4000, f64::from(first)), "{at}");
+            assert!(found.forces.contains(&-3.0));
+        }
+    }
+}
