@@ -6,6 +6,7 @@ import random
 import struct
 import subprocess
 import sys
+import tempfile
 
 import numpy
 from fmpy import extract, read_model_description, simulate_fmu
@@ -182,4 +183,7 @@ def main():
             print(f"{version} {block}: valid, {TICKS} ticks equal Rust's; late swing {alone:.3g} m alone, {stabilized:.3g} m with it")
 
 
-main()
+# Units are unpacked where nothing stays.
+with tempfile.TemporaryDirectory() as unpacked:
+    tempfile.tempdir = unpacked
+    main()
