@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the wheel and checks it: tests, types, the command. Run it from anywhere; it installs what it needs under target/.
+# Builds the wheel and checks it: tests, types, the command; with `long` under valgrind too. Run it from anywhere; it installs
+# what it needs under target/.
 set -euo pipefail
 cd "$(dirname "$0")"
 target=${CARGO_TARGET_DIR:-$PWD/../../target}
@@ -35,3 +36,22 @@ here=$PWD
 cd "$target"
 step python -m pytest --quiet -rs --durations=8 -p no:cacheprovider --rootdir "$here" "$here/tests" \
     "$here"/examples/tests/test_{handle,notebooks}.py
+if [ "${1:-}" = long ]; then
+    memory() {
+        command -v valgrind >/dev/null || { echo "SKIPPED: valgrind is not here (Debian: valgrind)"; return; }
+        PYTHONMALLOC=malloc valgrind --log-file="$target/valgrind.log" --num-callers=30 --leak-check=full --show-leak-kinds=definite,possible \
+            python -m pytest --quiet -p no:cacheprovider --rootdir "$here" "$here"/tests/test_{blocks,batch,copies,hostile,refusals}.py
+        python - "$target/valgrind.log" <<'END'
+import re, sys
+
+# Python itself reads what it never wrote. What the library leaves until the end shows that its frames are seen.
+records = re.split(r"^==\d+== *\n", open(sys.argv[1]).read(), flags=re.M)
+ours = [record for record in records if "_lyapunov.abi3.so" in record or ".rs:" in record]
+kept = [record for record in ours if "in loss record" in record]
+faults = [record for record in ours if record not in kept]
+assert kept, "valgrind does not see the library"
+sys.exit("\n".join(faults) if faults else print(f"valgrind: {len(records)} records, none of them a fault of the library"))
+END
+    }
+    step memory
+fi
