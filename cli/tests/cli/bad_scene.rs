@@ -51,7 +51,7 @@ const CASES: &[Case] = &[
     ("servo_rate = 100.0", "scalar = \"f32\"\nservo_rate = 1e-40", &["scene.toml:6:14", "no period within f32"]),
     ("[device]", "[device", &["scene.toml:12", "lacks its closing `]`"]),
     // The place is where something is written, not the end of the file.
-    ("damping_cap = 0.5", "damping_cap = 0.5\nx = [1,\n\n\n", &["scene.toml:27:8", "the list lacks its closing `]`"]),
+    ("damping_cap = 0.5", "damping_cap = 0.5\nx = \"\"\"abc\n\n\n", &["scene.toml:27:11", "expected `\"`"]),
 ];
 
 /// Tables to add below the shipped scene, and words of the error.

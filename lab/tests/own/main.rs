@@ -31,7 +31,7 @@ use lyapunov::{
 };
 use lyapunov_lab::compare::{Comparison, Entrants};
 use lyapunov_lab::family::{StabilizerName, StabilizerNames};
-use lyapunov_lab::hard::Catalogue;
+use lyapunov_lab::hard::{Catalogue, Row};
 use lyapunov_lab::map::{Grid, Outcome, Run};
 use lyapunov_lab::own::{
     Allowed, Loop, OwnCandidate, OwnNumber, OwnStabilizer, Promise, Roster, RosterError, Search,
@@ -251,7 +251,8 @@ fn hard_judges_by_what_is_declared() {
     let [mine, popc] = ["my-popc", "popc"].map(of);
     assert!(mine.passed(), "{mine}");
     let measured = |catalogue: &Catalogue| -> Vec<_> {
-        catalogue.rows.iter().map(|row| (row.case, row.measured.to_bits(), row.promised)).collect()
+        let bits = |it: &Row| [it.measured, it.largest_force_n].map(f64::to_bits);
+        catalogue.rows.iter().map(|row| (row.case, bits(row), row.promised)).collect()
     };
     assert_eq!(measured(&mine), measured(&popc));
 

@@ -72,7 +72,7 @@ fn equal_entrants_show_their_costs_as_a_range() {
     }
     let shown = comparison.to_string();
     let rows = shown.lines().filter(|line| line.starts_with("popc = "));
-    assert!(rows.into_iter().any(|row| row.contains("2.25 to 8.00")), "{shown}");
+    assert!(rows.into_iter().any(|row| row.contains("2.25 to 8.00  16 to 24")), "{shown}");
 }
 
 /// Checks every column that comes from rows against all rows at once.
