@@ -210,3 +210,29 @@ fn connections(mark: Rect, frame: Rect) -> Vec<(Place, Place)> {
         .map(|(_, from, to)| (from, to))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With the mark at every side of the frame and at its corners, whatever is larger.
+    #[test]
+    fn connections_cross_neither_mark_nor_frame() {
+        let frame = Rect::new(0.0, 0.0, 100.0, 60.0);
+        let places = (-6..=6)
+            .flat_map(|x| (-6..=6).map(move |y| (31.0 * f64::from(x), 23.0 * f64::from(y))));
+        for ((left, top), size) in places.flat_map(|at| [8.0, 150.0].map(|size| (at, size))) {
+            let mark = Rect::new(left, top, size, 0.7 * size);
+            if mark.overlaps(&frame) {
+                continue;
+            }
+            let lines = connections(mark, frame);
+            assert_eq!(lines.len(), 2, "{mark:?}");
+            for (from, to) in lines {
+                for rect in [mark, frame] {
+                    assert!(rect.grown(-0.5).cut(from, to).is_none(), "{mark:?}: {from:?} {to:?}");
+                }
+            }
+        }
+    }
+}

@@ -174,19 +174,20 @@ fn a_share_that_settles_by_speed_is_told() {
     };
     let start = "initial = { position = -0.004, velocity = 0.1 }\n";
     let (share, row) = told(&format!("operator = {{ mass = 0.1, damping = 5.0 }}\n{start}"));
-    assert!(share == Some(1.0) && row.contains("100"), "{row}");
+    assert!(share == Some(1.0) && row.split_whitespace().nth(1) == Some("100.00"), "{row}");
     let (share, row) = told(&format!("operator = {{ mass = 0.1 }}\n{start}"));
     assert!(share == Some(0.0) && row.split_whitespace().nth(1) == Some("-"), "{row}");
 }
 
-/// A hand that is moved rests elsewhere in each lane.
+/// A hand that is moved rests elsewhere in each lane, or is pushed by another force.
 #[test]
 fn hands_that_are_moved_about_other_rests_are_their_own() {
-    let more = "duration = 2.0\neffects.encoder.resolution = 1e-5\noperator = { mass = 0.1, damping = 2.0, stiffness = 50.0, \
+    let more = "duration = 2.0\neffects.encoder.resolution = 1e-5\neffects.load.force = 0.5\noperator = { mass = 0.1, damping = 2.0, stiffness = 50.0, \
                 motion = { kind = \"sine\", amplitude = 0.004, frequency = 2.0 } }\n";
-    let x = "operator.rest=-0.01..0.01:9";
-    let grid = grid(more, x, &format!("{STIFFNESS}=100..900:2"), &[BasicName::Popc]);
-    assert_eq!(outcomes(&grid, false, 2), outcomes(&grid, true, 1));
+    for x in ["operator.rest=-0.01..0.01:9", "effects.load.force=0..1:9"] {
+        let grid = grid(more, x, &format!("{STIFFNESS}=100..900:2"), &[BasicName::Popc]);
+        assert_eq!(outcomes(&grid, false, 2), outcomes(&grid, true, 1), "{x}");
+    }
 }
 
 /// A lane whose operator has no spring runs beside lanes with one, and each is judged by its own yardstick.

@@ -94,24 +94,27 @@ fn a_made_scene_shows_each_sign() {
     told("effects", "{ saturation = { force = 4e-4 } }", unit, &["force is 4e-4 N", "in kN?"]);
     let far = "{ mass = 0.1, damping = 2.0, stiffness = 100.0, motion = { kind = \"sine\", amplitude = 6.0, frequency = 0.1 } }";
     told("operator", far, unit, &["to operator.motion.amplitude are 6.004 m", "in mm?"]);
-    // A wall without a damper gives nothing of its own; one that pushes along does.
-    for (damping, told) in [(0.0, 0), (-0.1, 1)] {
+    // A spring or a damper of 0 gives nothing of its own; a damper that pushes along does.
+    for (parts, told) in [
+        ("stiffness = 80.0, damping = 0.0", 0),
+        ("stiffness = 0.0, damping = 1.0", 0),
+        ("stiffness = 80.0, damping = -0.1", 1),
+    ] {
         let coupled = press(&[
-            (
-                "environment",
-                &format!("{{ mass-spring-damper = {{ stiffness = 80.0, damping = {damping} }} }}"),
-            ),
+            ("environment", &format!("{{ mass-spring-damper = {{ {parts} }} }}")),
             ("stabilizer", "{ virtual-coupling = {} }"),
         ]);
         let found =
             of_run(&coupled).into_iter().filter(|it| it.text.contains("passive environment"));
-        assert_eq!(found.count(), told, "{damping}");
+        assert_eq!(found.count(), told, "{parts}");
     }
-    // What is just as large as a bound is not beyond it.
+    // What is just as large as a bound is not beyond it, and 0 is no other unit.
     let even = "{ mass-spring-damper = { stiffness = 800.0, damping = -4.0 } }";
-    for (key, value, words) in
-        [("environment", even, "burn"), ("initial", "{ velocity = 20.0 }", "initial.velocity")]
-    {
+    for (key, value, words) in [
+        ("environment", even, "burn"),
+        ("environment", "{ wall = { stiffness = 0.0 } }", "in N/mm"),
+        ("initial", "{ velocity = 20.0 }", "initial.velocity"),
+    ] {
         let found = of_run(&press(&[(key, value)]));
         assert!(found.iter().all(|it| !it.text.contains(words)), "{found:?}");
     }

@@ -296,6 +296,19 @@ fn the_page_of_the_documentation_shows_what_is_printed() {
 }
 
 #[test]
+fn more_than_four_forces_stand_in_two_columns() {
+    let (log, scene) = (fs::read_to_string(LOG).unwrap(), Scene::load(Path::new(SCENE)).unwrap());
+    let four = "none,popc,lolc-device-damping,popc-spread,popc-rate-limited";
+    for (names, panels, columns) in
+        [(four.to_owned(), 4, 1), (format!("{four},popc-bounded"), 5, 2)]
+    {
+        let replay = asked(&log, &scene, &names).unwrap().replay.unwrap();
+        let figure = replay.figure("forces").unwrap();
+        assert_eq!((figure.panels.len(), figure.columns), (panels, columns), "{names}");
+    }
+}
+
+#[test]
 fn table_page_and_figure_say_that_the_motion_would_have_been_another() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();

@@ -61,6 +61,21 @@ fn the_paper_s_scenes_come_out_as_known() {
     }
 }
 
+#[test]
+fn the_heading_tells_the_numbers_of_the_environment() {
+    for (name, words) in [
+        ("cubic-spring", "200 N/m, 1e6 N/m^3"),
+        ("moving-wall", "mm at"),
+        ("hold", "N/m"),
+        ("mass-spring-damper", "kg"),
+    ] {
+        let scene = Scene::parse(crate::studies::scenes::text_of(name).unwrap(), name).unwrap();
+        let told = table::Setting(&scene).to_string();
+        assert!(told.contains(&format!(", {} ", scene.environment.name())), "{told}");
+        assert!(told.contains(words), "{told}");
+    }
+}
+
 /// A step of each costs something else, though the runs are equal.
 #[test]
 fn equal_entrants_show_their_costs_as_a_range() {
