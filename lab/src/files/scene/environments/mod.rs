@@ -198,7 +198,6 @@ fn elsewhere(dimensions: usize) -> ParameterError {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::files::scene::Scene;
     use crate::files::shipped::SCENES;
     use lyapunov::environments::{Kinematics, Time};
