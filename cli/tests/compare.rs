@@ -215,7 +215,8 @@ fn bad_input_is_refused_and_leaves_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
     let (scene, out) = (shipped("paper-8k-popc.toml"), folder.path().join("out"));
     refused(&[], &["SCENE"]);
-    refused(&[&"no-such.toml", &"--out", &out], &["no-such.toml", "no such file"]);
+    // Of one file nothing is left out.
+    refused(&[&"no-such.toml", &"--out", &out], &["error: no-such.toml: there is no such file"]);
     refused(
         &[&"no-such.toml", &"nor-this.toml", &"--out", &out],
         &["2 of 2 files left out", "nor-this"],
