@@ -181,7 +181,7 @@ fn a_share_that_settles_by_speed_is_told() {
 
 /// A hand that is moved rests elsewhere in each lane, or is pushed by another force.
 #[test]
-fn hands_that_are_moved_about_other_rests_are_their_own() {
+fn lanes_have_rests_and_loads_of_their_own() {
     let more = "duration = 2.0\neffects.encoder.resolution = 1e-5\neffects.load.force = 0.5\noperator = { mass = 0.1, damping = 2.0, stiffness = 50.0, \
                 motion = { kind = \"sine\", amplitude = 0.004, frequency = 2.0 } }\n";
     for x in ["operator.rest=-0.01..0.01:9", "effects.load.force=0..1:9"] {

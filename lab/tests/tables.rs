@@ -6,7 +6,7 @@ use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::hard::soak::Soak;
 use lyapunov_lab::map::{Axis, Grid};
 use lyapunov_lab::scene::{Member, Parameter, Spacing};
-use lyapunov_lab::scenes::text_of;
+use lyapunov_lab::scenes::{SCENES, text_of};
 use lyapunov_lab::{Rollout, Row, SVector, Scene};
 
 /// A hand of 0.5 kg on 50 N/m that is let go 40 mm before a wall at 250 Hz: it swings through the wall and back.
@@ -282,6 +282,35 @@ fn directed_damping_on_a_line_is_popc() {
         );
     }
     assert!(popc.iter().take(300).any(|row| row.alpha > 0.0));
+}
+
+/// Every key of a table below `path`, with its value; whole numbers as others.
+fn leaves(path: &str, value: &toml::Value) -> Vec<(String, String)> {
+    match value {
+        toml::Value::Table(table) => {
+            let below =
+                table.iter().flat_map(|(key, value)| leaves(&format!("{path}.{key}"), value));
+            below.collect()
+        }
+        toml::Value::Integer(number) => vec![(path.to_owned(), format!("{:?}", *number as f64))],
+        toml::Value::Array(each) => {
+            let below = each.iter().flat_map(|value| leaves(path, value));
+            below.collect()
+        }
+        other => vec![(path.to_owned(), other.to_string())],
+    }
+}
+
+#[test]
+fn a_scene_that_is_written_has_every_key_that_was_read() {
+    for shipped in SCENES.iter().filter(|it| it.name != "motion-file") {
+        let written = toml::Value::try_from(scene(shipped.text)).unwrap();
+        let written = leaves("", &written);
+        let read: toml::Table = shipped.text.parse().unwrap();
+        for leaf in leaves("", &toml::Value::Table(read)) {
+            assert!(written.contains(&leaf), "{}: {leaf:?} is not in {written:?}", shipped.name);
+        }
+    }
 }
 
 #[test]

@@ -326,6 +326,8 @@ fn the_edge_alone_agrees_with_the_whole_map() {
     let json: serde_json::Value = serde_json::from_str(&place.text("edge/refined.json")).unwrap();
     assert_eq!(json["edges"][0]["judged_cells"], rows.len());
     assert!(place.text("edge/report.html").contains("<figure class=\"cells\""));
-    assert_eq!(place.run(map(&["--refine", "--quiet"])).out, "");
+    let quiet = place.run(map(&["--refine", "--quiet"]));
+    quiet.ended(0, &[]);
+    assert_eq!(quiet.out, "");
     place.run(map(&["--out", "edge", "--refine", "--resume"])).ended(2, &["--resume"]);
 }

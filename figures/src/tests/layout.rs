@@ -1,6 +1,6 @@
 //! Places of texts and of magnified parts.
 
-use resvg::usvg::{Group, Node, Rect};
+use resvg::usvg::{Group, Node, Rect, Text};
 
 use super::gallery::{gallery, noise, sampled, wordy};
 use super::read;
@@ -9,7 +9,7 @@ use crate::magnifier::arrange;
 use crate::*;
 
 /// The gallery, and a figure that is mostly text.
-fn figures() -> impl Iterator<Item = (&'static str, Figure)> {
+pub(super) fn figures() -> impl Iterator<Item = (&'static str, Figure)> {
     gallery().into_iter().chain([("wordy", wordy())])
 }
 
@@ -19,19 +19,34 @@ fn texts(group: &Group) -> Vec<(String, Rect)> {
         Node::Group(group) => texts(group),
         Node::Text(text) => {
             let chunks = text.chunks().iter().map(|chunk| chunk.text());
-            vec![(chunks.collect::<String>(), text.abs_bounding_box())]
+            vec![(chunks.collect::<String>(), ink(text))]
         }
         _ => Vec::new(),
     };
     group.children().iter().flat_map(of).collect()
 }
 
-/// Whether letters overlap: a box is higher and, for upright text, wider than the ink in it.
+/// The box of a text without the height above and below its letters, which a line leaves.
+fn ink(text: &Text) -> Rect {
+    let (line, transform) = (text.abs_bounding_box(), text.abs_transform());
+    let is_upright = transform.kx.abs() > transform.sx.abs();
+    let [across, along] = if is_upright { [0.18, 0.0] } else { [0.0, 0.18] };
+    let (width, height) = (across * line.width(), along * line.height());
+    Rect::from_ltrb(
+        line.left() + width,
+        line.top() + height,
+        line.right() - width,
+        line.bottom() - height,
+    )
+    .unwrap()
+}
+
+/// Whether two boxes have more in common than an edge.
 fn overlap(one: &Rect, other: &Rect) -> bool {
     let common = |a: [f32; 2], b: [f32; 2]| a[1].min(b[1]) - a[0].max(b[0]);
     let across = common([one.left(), one.right()], [other.left(), other.right()]);
     let along = common([one.top(), one.bottom()], [other.top(), other.bottom()]);
-    across.min(along) > 4.5
+    across.min(along) > 0.5
 }
 
 #[test]

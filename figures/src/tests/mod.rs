@@ -27,7 +27,7 @@ fn read(svg: &str) -> Tree {
 fn pictures_to_look_at() {
     let directory = std::env::temp_dir().join("figures");
     std::fs::create_dir_all(&directory).unwrap();
-    for (name, figure) in gallery() {
+    for (name, figure) in layout::figures() {
         std::fs::write(directory.join(format!("{name}.svg")), figure.to_svg()).unwrap();
         std::fs::write(directory.join(format!("{name}.png")), figure.to_png(2.0).unwrap()).unwrap();
     }

@@ -113,7 +113,7 @@ fn a_soak_finds_a_broken_promise_and_the_smallest_scene_that_breaks_it() {
 
 /// A held wall of 5 kN/m on 0.3 kg at 100 Hz, `K T² / m = 1.7`, runs away alone and swings under POPC.
 #[test]
-fn a_soak_finds_a_loop_that_runs_away_in_one_scalar_only() {
+fn a_loop_that_runs_away_in_one_scalar_only_breaks_a_promise() {
     let text = |stabilizer: &str| {
         format!(
             "duration = 10.0

@@ -76,7 +76,7 @@ fn errors_are_those_of_sixty_digits() {
 /// Shares that are told on the way have no gap of more than a fifth.
 #[test]
 fn progress_is_told_evenly() {
-    let told = Mutex::new(vec![0.0, 1.0]);
+    let told = Mutex::new(Vec::new());
     let scene = Scene::parse(WALL, "scene.toml").unwrap();
     let watch = |share| {
         told.lock().unwrap().push(share);
@@ -86,7 +86,8 @@ fn progress_is_told_evenly() {
     let mut told = told.into_inner().unwrap();
     told.sort_by(f64::total_cmp);
     let gap = told.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
-    assert!(told[0] == 0.0 && told[told.len() - 1] == 1.0 && gap < 0.2, "{gap}");
+    let (first, last) = (told[0], told[told.len() - 1]);
+    assert!((0.0..0.2).contains(&first) && last > 0.99 && gap < 0.2, "{first} {gap} {last}");
 }
 
 #[test]

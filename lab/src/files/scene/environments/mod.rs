@@ -208,7 +208,11 @@ mod tests {
     fn no_force_rises_faster_than_the_steepest_spring() {
         let mut springs = 0;
         for shipped in SCENES {
-            let Ok(scene) = Scene::parse(shipped.text, shipped.name) else { continue };
+            // Its motion is in a file beside it.
+            if shipped.name == "motion-file" {
+                continue;
+            }
+            let scene = Scene::parse(shipped.text, shipped.name).unwrap();
             let (Some(law), Some(steepest)) = (scene.law(), scene.environment.kind().steepest())
             else {
                 continue;

@@ -112,7 +112,7 @@ pub(crate) trait StabilizerKind: Numbers {
     }
 
     /// Whether it makes the promises of POPC: it serves every debt at once, and credits nothing that may not have been
-    /// dissipated. The tables of `popc` and `lolc` are not asked: their names say it.
+    /// dissipated. `popc` and the kinds of `lolc` are judged by their names and not asked.
     fn promises(&self) -> bool {
         false
     }

@@ -26,8 +26,4 @@ impl StabilizerKind for Popc {
     fn pledge(&self, _on: &Basis) -> Pledge {
         Pledge { work: self.work, ..Pledge::POPC }
     }
-
-    fn promises(&self) -> bool {
-        true
-    }
 }
