@@ -39,7 +39,7 @@ step python -m pytest --quiet -rs --durations=8 -p no:cacheprovider --rootdir "$
 if [ "${1:-}" = long ]; then
     memory() {
         command -v valgrind >/dev/null || { echo "SKIPPED: valgrind is not here (Debian: valgrind)"; return; }
-        PYTHONMALLOC=malloc valgrind --log-file="$target/valgrind.log" --num-callers=30 --leak-check=full --show-leak-kinds=definite,possible \
+        PYTHONMALLOC=malloc valgrind --log-file="$target/valgrind.log" --num-callers=100 --leak-check=full --show-leak-kinds=definite,possible \
             python -m pytest --quiet -p no:cacheprovider --rootdir "$here" "$here"/tests/test_{blocks,batch,copies,hostile,refusals}.py
         python - "$target/valgrind.log" <<'END'
 import re, sys
