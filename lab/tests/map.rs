@@ -158,7 +158,7 @@ fn a_scene_without_a_spring_is_judged_by_its_speed() {
     assert_eq!((survey.settling(0).share, survey.bounded(0).share), (Some(0.0), Some(1.0)));
 }
 
-/// What stops without a place to rest at has settled: the table says so.
+/// A hand that stops without a place to rest at has settled, and the table says so.
 #[test]
 fn a_share_that_settles_by_speed_is_told() {
     let told = |more: &str| {

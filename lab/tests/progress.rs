@@ -27,7 +27,7 @@ impl Told {
         ControlFlow::Continue(())
     }
 
-    /// What was told since the last call.
+    /// The ticks that were told since the last call.
     fn taken(&self) -> u64 {
         self.0.swap(0, Ordering::Relaxed)
     }

@@ -287,3 +287,76 @@ fn span(values: impl Iterator<Item = f64>) -> Option<Range> {
 fn hull(ranges: impl Iterator<Item = Range>) -> Option<Range> {
     ranges.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Entrants;
+    use super::super::tests::{Damper, press};
+    use super::*;
+    use crate::simulate::family::StabilizerName;
+    use crate::studies::paper::Case;
+
+    #[test]
+    fn figures_end_a_curve_that_grows_where_it_leaves_the_frame() {
+        let entrants = Entrants::<f64>::standard();
+        let comparison =
+            Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &entrants).unwrap();
+        let figure = comparison.figure();
+        let [position, energy] = &figure.panels[..] else { panic!() };
+        let (low, high) = position.y_range.unwrap();
+        assert!((-13.0..-10.0).contains(&low) && (0.0..2.0).contains(&high), "{low} {high}");
+        assert!(position.series[0].points.len() < 50 && position.series[1].points.len() == 1001);
+        // It is drawn to the first point outside, so that the line meets the frame.
+        let (last, kept) = position.series[0].points.split_last().unwrap();
+        let is_within = |point: &(f64, f64)| (low..=high).contains(&point.1);
+        assert!(kept.iter().all(is_within) && !is_within(last), "{last:?}");
+        // POPC is LOLC with a spring as its candidate: one curve with both names. Every name is there once.
+        assert!(position.series[1].label.starts_with("popc = lolc-spring"), "{position:?}");
+        for (panel, count) in [(position, 5), (energy, 4)] {
+            let labels =
+                panel.series.iter().map(|series| series.label.replace(" (grows, cut off)", ""));
+            let labels: Vec<String> = labels.collect();
+            let mut names: Vec<&str> = labels.iter().flat_map(|label| label.split(" = ")).collect();
+            names.sort_unstable();
+            names.dedup();
+            let all = comparison.scores().filter(|score| names.contains(&&score.stabilizer[..]));
+            assert!(names.len() == count && all.count() == count, "{labels:?}");
+        }
+
+        // The whole family has more curves than there are colours.
+        let family = Entrants::<f64>::of(StabilizerName::ALL);
+        let family = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &family).unwrap();
+        let panels = family.figure().panels;
+        let kinds = panels.len() / 2;
+        assert!((10..StabilizerName::ALL.len() - 2).contains(&kinds), "{kinds}");
+        assert!(panels.iter().all(|panel| panel.series.len() == 1));
+        // One scale, unless a panel says that it has its own; and every curve fills a part of it.
+        let own = |panel: &&Panel| panel.series[0].label.contains("own scale");
+        let usual: Vec<_> = panels.iter().step_by(2).filter(|panel| !own(panel)).collect();
+        assert!(usual.len() > kinds / 2 && usual.iter().all(|it| it.y_range == usual[0].y_range));
+        for panel in panels.iter().filter(|panel| !panel.series[0].label.contains("grows")) {
+            let values = || panel.series[0].points.iter().map(|point| point.1);
+            let size = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
+            let (low, high) = panel.y_range.unwrap();
+            assert!(size == 0.0 || size > 0.1 * (high - low), "{}: {size}", panel.title);
+        }
+
+        let alone = Entrants::<f64>::empty().with("pump", |_| Ok(Damper(-40.0)));
+        let alone = Comparison::of("alone", &Case::Plain8k.scene().unwrap(), &alone).unwrap();
+        let range = alone.figure().panels[0].y_range.unwrap();
+        assert!(range.1 - range.0 < 60.0, "{range:?}");
+    }
+
+    #[test]
+    fn as_many_forces_as_there_are_colours_share_a_frame() {
+        let panels = |count: u32| {
+            let damped = |all: Entrants<f64>, it| {
+                all.with(format!("damper {it}"), move |_| Ok(Damper(0.5 * f64::from(it))))
+            };
+            let entrants = (1..=count).fold(Entrants::<f64>::empty(), damped);
+            Comparison::of("press", &press(""), &entrants).unwrap().forces().panels.len()
+        };
+        let colours = PALETTE.len() as u32;
+        assert_eq!([panels(colours), panels(colours + 1)], [1, colours as usize + 1]);
+    }
+}

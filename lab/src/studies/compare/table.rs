@@ -129,3 +129,40 @@ impl fmt::Display for Setting<'_> {
         write!(f, ", {} {}", scene.environment.name(), described::environment(scene))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Entrants, StepTime};
+    use super::*;
+    use crate::studies::paper::Case;
+    use crate::studies::scenes::text_of;
+
+    #[test]
+    fn the_heading_tells_the_numbers_of_the_environment() {
+        for (name, words) in [
+            ("cubic-spring", "200 N/m, 1e6 N/m^3"),
+            ("moving-wall", "mm at"),
+            ("hold", "N/m"),
+            ("mass-spring-damper", "kg"),
+        ] {
+            let scene = Scene::parse(text_of(name).unwrap(), name).unwrap();
+            let told = Setting(&scene).to_string();
+            assert!(told.contains(&format!(", {} ", scene.environment.name())), "{told}");
+            assert!(told.contains(words), "{told}");
+        }
+    }
+
+    /// A step of each costs something else, though the runs are equal.
+    #[test]
+    fn equal_entrants_show_their_costs_as_a_range() {
+        let scene = Case::Plain50k.scene().unwrap();
+        let mut comparison = Comparison::of("test", &scene, &Entrants::<f64>::standard()).unwrap();
+        for (outcome, median) in comparison.outcomes.iter_mut().zip([1.0, 2.25, 4.5, 8.0, 16.0]) {
+            let time = outcome.score.step_time.unwrap();
+            outcome.score.step_time = Some(StepTime { median, ..time });
+        }
+        let shown = comparison.to_string();
+        let rows = shown.lines().filter(|line| line.starts_with("popc = "));
+        assert!(rows.into_iter().any(|row| row.contains("2.25 to 8.00  16 to 24")), "{shown}");
+    }
+}

@@ -2,19 +2,17 @@
 
 use approx::assert_relative_eq;
 use lyapunov::{Correction, PortSample, Stabilizer};
-use lyapunov_figures::Panel;
 
 use super::*;
 use crate::files::Scene;
 use crate::measure::Verdict;
 use crate::measure::samples::scene;
-use crate::simulate::family::StabilizerName;
 use crate::simulate::{Rollout, Row};
 use crate::studies::paper::Case;
 
 /// Constant damper, N·s/m.
 #[derive(Clone, Copy)]
-struct Damper(f64);
+pub(super) struct Damper(pub(super) f64);
 
 impl Stabilizer<f64> for Damper {
     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
@@ -28,7 +26,7 @@ fn standard(scene: &Scene) -> Vec<Score> {
 }
 
 /// 2 kN/m at 2 mm, pressed on from 10 mm at 1 kHz over 100 Hz; the plant's own velocity is in the rows.
-fn press(more: &str) -> Scene {
+pub(super) fn press(more: &str) -> Scene {
     let text = "duration = 3.0\nservo_rate = 1000.0\nenvironment_rate = 100.0\nvelocity = \"exact\"\n\
         device.mass = 0.3\ndevice.damping = 0.1\noperator.damping = 2.0\n\
         operator.stiffness = 200.0\noperator.rest = 0.01\nenvironment.wall.position = 0.002\n\
@@ -59,35 +57,6 @@ fn the_paper_s_scenes_come_out_as_known() {
             |score: &Score| Score { stabilizer: String::new(), step_time: None, ..score.clone() };
         assert_eq!(named(popc), named(spring));
     }
-}
-
-#[test]
-fn the_heading_tells_the_numbers_of_the_environment() {
-    for (name, words) in [
-        ("cubic-spring", "200 N/m, 1e6 N/m^3"),
-        ("moving-wall", "mm at"),
-        ("hold", "N/m"),
-        ("mass-spring-damper", "kg"),
-    ] {
-        let scene = Scene::parse(crate::studies::scenes::text_of(name).unwrap(), name).unwrap();
-        let told = table::Setting(&scene).to_string();
-        assert!(told.contains(&format!(", {} ", scene.environment.name())), "{told}");
-        assert!(told.contains(words), "{told}");
-    }
-}
-
-/// A step of each costs something else, though the runs are equal.
-#[test]
-fn equal_entrants_show_their_costs_as_a_range() {
-    let scene = Case::Plain50k.scene().unwrap();
-    let mut comparison = Comparison::of("test", &scene, &Entrants::<f64>::standard()).unwrap();
-    for (outcome, median) in comparison.outcomes.iter_mut().zip([1.0, 2.25, 4.5, 8.0, 16.0]) {
-        let time = outcome.score.step_time.unwrap();
-        outcome.score.step_time = Some(StepTime { median, ..time });
-    }
-    let shown = comparison.to_string();
-    let rows = shown.lines().filter(|line| line.starts_with("popc = "));
-    assert!(rows.into_iter().any(|row| row.contains("2.25 to 8.00  16 to 24")), "{shown}");
 }
 
 /// Checks every column that comes from rows against all rows at once.
@@ -303,67 +272,6 @@ fn a_column_s_name_is_its_key() {
     let fault = "setling_time".parse::<Column>().unwrap_err().to_string();
     assert!(fault.contains("did you mean `settling_time_s`?"), "{fault}");
     assert!("".parse::<Column>().unwrap_err().to_string().contains("ns_per_step"));
-}
-
-#[test]
-fn figures_end_a_curve_that_grows_where_it_leaves_the_frame() {
-    let entrants = Entrants::<f64>::standard();
-    let comparison = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &entrants).unwrap();
-    let figure = comparison.figure();
-    let [position, energy] = &figure.panels[..] else { panic!() };
-    let (low, high) = position.y_range.unwrap();
-    assert!((-13.0..-10.0).contains(&low) && (0.0..2.0).contains(&high), "{low} {high}");
-    assert!(position.series[0].points.len() < 50 && position.series[1].points.len() == 1001);
-    // It is drawn to the first point outside, so that the line meets the frame.
-    let (last, kept) = position.series[0].points.split_last().unwrap();
-    let is_within = |point: &(f64, f64)| (low..=high).contains(&point.1);
-    assert!(kept.iter().all(is_within) && !is_within(last), "{last:?}");
-    // POPC is LOLC with a spring as its candidate: one curve with both names. Every name is there once.
-    assert!(position.series[1].label.starts_with("popc = lolc-spring"), "{position:?}");
-    for (panel, count) in [(position, 5), (energy, 4)] {
-        let labels =
-            panel.series.iter().map(|series| series.label.replace(" (grows, cut off)", ""));
-        let labels: Vec<String> = labels.collect();
-        let mut names: Vec<&str> = labels.iter().flat_map(|label| label.split(" = ")).collect();
-        names.sort_unstable();
-        names.dedup();
-        let all = comparison.scores().filter(|score| names.contains(&&score.stabilizer[..]));
-        assert!(names.len() == count && all.count() == count, "{labels:?}");
-    }
-
-    // The whole family has more curves than there are colours.
-    let family = Entrants::<f64>::of(StabilizerName::ALL);
-    let family = Comparison::of("50k", &Case::Plain50k.scene().unwrap(), &family).unwrap();
-    let panels = family.figure().panels;
-    let kinds = panels.len() / 2;
-    assert!((10..StabilizerName::ALL.len() - 2).contains(&kinds), "{kinds}");
-    assert!(panels.iter().all(|panel| panel.series.len() == 1));
-    // One scale, unless a panel says that it has its own; and every curve fills a part of it.
-    let own = |panel: &&Panel| panel.series[0].label.contains("own scale");
-    let usual: Vec<_> = panels.iter().step_by(2).filter(|panel| !own(panel)).collect();
-    assert!(usual.len() > kinds / 2 && usual.iter().all(|it| it.y_range == usual[0].y_range));
-    for panel in panels.iter().filter(|panel| !panel.series[0].label.contains("grows")) {
-        let values = || panel.series[0].points.iter().map(|point| point.1);
-        let size = values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min);
-        let (low, high) = panel.y_range.unwrap();
-        assert!(size == 0.0 || size > 0.1 * (high - low), "{}: {size}", panel.title);
-    }
-
-    // As many forces as there are colours share a frame.
-    let panels = |count: u32| {
-        let damped = |all: Entrants<f64>, it| {
-            all.with(format!("damper {it}"), move |_| Ok(Damper(0.5 * f64::from(it))))
-        };
-        let entrants = (1..=count).fold(Entrants::<f64>::empty(), damped);
-        Comparison::of("press", &press(""), &entrants).unwrap().forces().panels.len()
-    };
-    let colours = lyapunov_figures::PALETTE.len() as u32;
-    assert_eq!([panels(colours), panels(colours + 1)], [1, colours as usize + 1]);
-
-    let alone = Entrants::<f64>::empty().with("pump", |_| Ok(Damper(-40.0)));
-    let alone = Comparison::of("alone", &Case::Plain8k.scene().unwrap(), &alone).unwrap();
-    let range = alone.figure().panels[0].y_range.unwrap();
-    assert!(range.1 - range.0 < 60.0, "{range:?}");
 }
 
 #[test]
