@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Check of docs/guarantees.md: every promise has evidence that is there, and that ran.
 
-    guarantees.py               the named tests exist and are not ignored, the named scripts are called by .ci/run
+    guarantees.py               the named tests exist and are not ignored, the named scripts are called by .ci/run, and the
+                                longer commands exist: files, words that a script is given, ignored tests, examples
     guarantees.py TESTS STEPS   the same; each test is told as passed in the log of `cargo test`, and each script has a step in
                                 the log of .ci/run; what said SKIPPED is named, and fails nothing
 
@@ -89,6 +90,36 @@ def missing(evidence, tests, steps):
     return test_fault(path, function, tests) if function else script_fault(name, steps)
 
 
+def longer(text):
+    """What is wrong with the commands of the table of longer scripts."""
+    table = text.split(LONGER)[1].split("\n## ")[0]
+    commands = [line.split(" | ")[0] for line in table.splitlines() if line.startswith("| `")]
+    return [f"{cell[2:]}: {fault}" for cell in commands for fault in command_faults(re.findall(r"`([^`]+)`", cell))]
+
+
+def command_faults(pieces):
+    """What is wrong with a command, and with further words that may be in the place of its own."""
+    program, *words = " ".join(pieces).split()
+    words = [word for word in words if re.fullmatch(r"[a-z][a-z-]*", word)]
+    if program == "cargo":
+        return cargo_faults(pieces[0])
+    path = ROOT / (program if "/" in program else "cli/src/commands/mod.rs")
+    if not path.is_file():
+        return [f"there is no {program}"]
+    known = path.read_text(encoding="utf-8").lower()
+    return [f"{program} knows no {word}" for word in words if not re.search(rf"\b{word}\b", known)]
+
+
+def cargo_faults(command):
+    """What is wrong with a test or an example that cargo is asked to run."""
+    if example := re.search(r"--example (\w+)", command):
+        return [] if (ROOT / f"examples/{example[1]}.rs").is_file() else [f"there is no example {example[1]}"]
+    name = next(word for word in reversed(re.sub(r" -- | --ignored", " ", command).split()) if not word.startswith("-"))
+    ignored = re.compile(rf"#\[ignore[^\n]*\]\s*(pub )?fn \w*{name}\w*\(")
+    tests = (path for folder in ("cli/tests", "lab/tests") for path in (ROOT / folder).rglob("*.rs"))
+    return [] if any(ignored.search(path.read_text(encoding="utf-8")) for path in tests) else [f"no ignored test is called {name}"]
+
+
 def unfounded(page):
     """Paragraphs and rows of a page that promise and lead to no evidence."""
     text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.S)
@@ -103,8 +134,9 @@ def main():
     logs = [Path(name).read_text(encoding="utf-8", errors="replace") for name in sys.argv[1:]]
     tests, steps = logs or (None, None)
     skipped("tests", tests or "")
-    wrong, count = [], 0
-    for promise, cell in rows(PAGE.read_text(encoding="utf-8")):
+    page = PAGE.read_text(encoding="utf-8")
+    wrong, count = longer(page), 0
+    for promise, cell in rows(page):
         pieces = re.findall(r"`([^`]+)`", cell)
         count += len(pieces)
         wrong += [] if pieces else [f"no evidence: {promise}"]

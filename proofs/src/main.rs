@@ -47,12 +47,9 @@ fn main() -> io::Result<()> {
         writer.file(about, 1, "proved", &ledger::plain(format))?;
     }
     tape::clear();
-    writer.file(
-        ["ledger-compensated", "rounding", "f16", "smt2"],
-        1,
-        "unsat",
-        &ledger::compensated(),
-    )?;
+    // No solver at hand decides it; docs/proofs.md derives it.
+    let about = ["ledger-compensated", "rounding", "f16", "smt2"];
+    writer.file(about, 1, "open", &ledger::compensated())?;
     for (name, mutant) in tape::Mutant::ALL {
         tape::mutate(Some(mutant));
         writer.mutant = name;

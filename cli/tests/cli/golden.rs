@@ -44,8 +44,10 @@ const COMMANDS: &[(&str, &str)] = &[
         "map hold.toml --x environment.wall.stiffness=500..8000:256 --y device.damping=0.1..4:256 --refine",
     ),
     ("compare", "compare encoder.toml tour.toml --stabilizers none,popc,lolc-spring"),
-    ("messages", "compare lossy.toml"),
-    ("models", "compare two-link-arm.toml van-der-pol.toml --stabilizers none,popc"),
+    ("messages", "compare constant-delay.toml lossy.toml varying-delay.toml"),
+    ("robots", "compare two-link-arm.toml prosthetic-leg.toml --stabilizers none,popc"),
+    ("machines", "compare admittance-device.toml dc-motor.toml --stabilizers none,popc"),
+    ("oscillators", "compare inverted-pendulum.toml van-der-pol.toml --stabilizers none,popc"),
 ];
 
 /// The command that measures times, which are in all that it writes but its pictures and its JSON.
@@ -152,6 +154,22 @@ fn every_file_is_as_it_was() {
         kept.len(),
         lines.len(),
     );
+}
+
+/// Scenes of one device are in `scenes/golden.csv`.
+#[test]
+fn every_shipped_model_and_teleoperator_is_kept() {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    let commands: Vec<&str> = COMMANDS.iter().flat_map(|it| it.1.split(' ')).collect();
+    for folder in ["models", "teleoperation"] {
+        let files = fs::read_dir(scenes.join(folder)).unwrap();
+        let names = files.map(|it| it.unwrap().file_name().into_string().unwrap());
+        let names: Vec<String> = names.filter(|it| it.ends_with(".toml")).collect();
+        assert!(names.len() >= 3, "{folder}: {names:?}");
+        for name in names {
+            assert!(commands.contains(&&*name), "no command of golden.rs runs {name}");
+        }
+    }
 }
 
 #[test]
