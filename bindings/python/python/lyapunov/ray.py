@@ -29,12 +29,12 @@ if TYPE_CHECKING:
 
     Moves = tuple[float | None, float | None, float | None, float | None]
 
-SECONDS = 5.0
+SECONDS = 2.0
 """Time that a shard takes, about: what a killed worker loses, and long beside the cost of a task."""
 
-TRIAL = 0.5
+TRIAL = 0.1
 """Time that the trial takes at least by which shards are cut, where the whole takes that long: what each shard begins with is short
-beside it."""
+beside it, and so is the time in which other cores wait for it."""
 
 RETRIES = 100
 """Times that a shard is begun again whose worker or node was lost."""
@@ -123,7 +123,9 @@ def _count(whole: int, timed: Callable[[int], Any]) -> int:
     while True:
         seconds: float = ray.get(timed(share))
         if seconds >= TRIAL or share == 1:
-            return max(1, min(whole, math.ceil(share * seconds / SECONDS)))
+            # As many for each core: the last ones end together.
+            cores = max(1, int(ray.cluster_resources().get("CPU", 1)))
+            return max(1, min(whole, math.ceil(share * seconds / SECONDS / cores) * cores))
         share = max(1, share // 8)
 
 
