@@ -65,7 +65,9 @@ impl Requirement {
         }
     }
 
-    /// The first lane of `value` that is not right.
+    /// The first lane of `value` that is not right. Out of line: written out for each parameter, the checks of lanes are most of a
+    /// constructor.
+    #[inline(never)]
     fn missed<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
     }

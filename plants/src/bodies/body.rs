@@ -67,7 +67,7 @@ impl<V: Signal> Body<V> {
     /// beside the other values that the motion is out of the scalar's range.
     pub fn new(impedance: Impedance<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
         let period = Requirement::Positive.check("period", period)?;
-        let [position_map, velocity_map] = maps(impedance, period)?;
+        let [position_map, velocity_map] = maps_lane_by_lane(impedance, period)?;
         let (rest, position, velocity) = (V::zero(), V::zero(), V::zero());
         Ok(Self { period, position_map, velocity_map, rest, position, velocity })
     }
@@ -98,14 +98,18 @@ impl<V: Signal> Body<V> {
     }
 }
 
-/// The gains of position and velocity over `interval`.
+/// The gains of position and velocity over `interval`, which `increments` computes.
 #[inline(always)]
-fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], ParameterError> {
+fn maps<T: Scalar>(
+    impedance: Impedance<T>,
+    interval: T,
+    increments: impl FnOnce(Impedance<T>, T) -> [[T; 3]; 2],
+) -> Result<[Row<T>; 2], ParameterError> {
     let mass = Requirement::Positive.check("mass", impedance.mass)?;
     let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
     let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
     let row = |[deflection, velocity, effort]: [T; 3]| Row { deflection, velocity, effort };
-    let rows = impedance_increments(Impedance { mass, damping, stiffness }, interval).map(row);
+    let rows = increments(Impedance { mass, damping, stiffness }, interval).map(row);
     let finite = rows[0].finite() & rows[1].finite();
     if finite.all() {
         return Ok(rows);
@@ -115,18 +119,39 @@ fn maps<T: Scalar>(impedance: Impedance<T>, interval: T) -> Result<[Row<T>; 2], 
     Err(ParameterError { parameter, value, requirement: Requirement::InRange })
 }
 
+/// The same for every signal of a scalar.
+#[inline(never)]
+fn maps_lane_by_lane<T: Scalar>(
+    impedance: Impedance<T>,
+    interval: T,
+) -> Result<[Row<T>; 2], ParameterError> {
+    maps(impedance, interval, lane_by_lane)
+}
+
 /// The gains of position and velocity over `interval` per unit of deflection, velocity and effort; nothing is checked.
 #[inline(always)]
 pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) -> [[T; 3]; 2] {
-    let [position, velocity, _] = if has_all_digits::<T>() {
-        rows(&increments(parts, interval))
-    } else {
-        by_rows(|lane| {
-            let parts = parts.map(|number| number.real(lane));
-            keeping_area::<T>(increments(parts, interval.real(lane)))
-        })
-    };
+    if T::LANES == 1 || !has_all_digits::<T>() {
+        return lane_by_lane(parts, interval);
+    }
+    let [position, velocity, _] = rows(&increments(parts, interval));
     [position, velocity]
+}
+
+/// The same gains, bit for bit, by one function for the lanes of all scalars. It is small, and outside of a loop on lanes faster:
+/// lanes are slow without the instructions of such a loop.
+fn lane_by_lane<T: Scalar>(parts: Impedance<T>, interval: T) -> [[T; 3]; 2] {
+    let [position, velocity, _] = by_rows(|lane| {
+        let parts = parts.map(|number| number.real(lane));
+        let increments = out_of_line(parts, interval.real(lane));
+        if has_all_digits::<T>() { increments } else { keeping_area::<T>(increments) }
+    });
+    [position, velocity]
+}
+
+#[inline(never)]
+fn out_of_line<R: Scalar>(parts: Impedance<R>, interval: R) -> Matrix3<R> {
+    increments(parts, interval)
 }
 
 #[inline(always)]
@@ -193,7 +218,7 @@ impl<V: Signal> OperatedBody<V> for Body<V> {
     #[inline(always)]
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
-        [self.position_map, self.velocity_map] = maps(parts, interval)?;
+        [self.position_map, self.velocity_map] = maps(parts, interval, impedance_increments)?;
         self.period = interval;
         Ok(())
     }

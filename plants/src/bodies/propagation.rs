@@ -1,5 +1,7 @@
 //! Exact motion of a linear body under a held input.
 
+use core::hint::black_box;
+
 use lyapunov_core::{Mask, Scalar};
 use nalgebra::SMatrix;
 
@@ -124,7 +126,7 @@ fn size<R: Scalar, const N: usize>(matrix: &SMatrix<R, N, N>) -> R {
 #[inline(always)]
 pub(super) fn apart<T: Scalar>() {
     if T::LANES > 1 {
-        core::hint::black_box(());
+        black_box(());
     }
 }
 
@@ -144,16 +146,15 @@ pub(super) fn rows<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> [[T;
 pub(super) fn by_rows<T: Scalar, const N: usize>(
     matrix: impl Fn(usize) -> SMatrix<T::Real, N, N>,
 ) -> [[T; N]; N] {
-    let mut rows = [[T::zero(); N]; N];
-    for lane in 0..T::LANES {
+    let mut all = SMatrix::<T, N, N>::zeros();
+    // Counts that the compiler does not know keep it from writing both loops out, as entries times lanes times lanes.
+    for lane in 0..black_box(T::LANES) {
         let matrix = matrix(lane);
-        for (row, entries) in rows.iter_mut().enumerate() {
-            for (column, entry) in entries.iter_mut().enumerate() {
-                let others = *entry;
-                let here = |at| if at == lane { matrix[(row, column)] } else { others.real(at) };
-                *entry = T::from_reals(here);
-            }
+        let entries = all.as_mut_slice().iter_mut().zip(matrix.as_slice());
+        for (entry, number) in entries.take(black_box(N * N)) {
+            let others = *entry;
+            *entry = T::from_reals(|at| if at == lane { *number } else { others.real(at) });
         }
     }
-    rows
+    rows(&all)
 }

@@ -59,7 +59,7 @@ impl<V: Signal> TwoMassBody<V> {
     /// infinite or NaN; a mass so small beside the other values that the motion is out of the scalar's range.
     pub fn new(parts: TwoMassParts<V::Scalar>, period: V::Scalar) -> Result<Self, ParameterError> {
         let period = Requirement::Positive.check("period", period)?;
-        let maps = maps(parts, period)?;
+        let maps = maps_lane_by_lane(parts, period)?;
         let (rest, position, stretch) = (V::zero(), V::zero(), V::zero());
         let (velocity, stretching) = (V::zero(), V::zero());
         Ok(Self { period, maps, rest, position, stretch, velocity, stretching })
@@ -83,9 +83,13 @@ impl<V: Signal> TwoMassBody<V> {
 }
 
 #[inline(always)]
-fn maps<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Result<Maps<T>, ParameterError> {
+fn maps<T: Scalar>(
+    parts: TwoMassParts<T>,
+    interval: T,
+    increments: impl FnOnce(TwoMassParts<T>, T) -> Maps<T>,
+) -> Result<Maps<T>, ParameterError> {
     let parts = parts.checked()?;
-    let maps = two_mass_increments(parts, interval);
+    let maps = increments(parts, interval);
     let finite = maps.iter().flatten().fold(T::Mask::of(true), |all, entry| all & entry.finite());
     if finite.all() {
         return Ok(maps);
@@ -95,15 +99,35 @@ fn maps<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Result<Maps<T>, Param
     Err(ParameterError { parameter, value, requirement: Requirement::InRange })
 }
 
+/// The same for every signal of a scalar.
+#[inline(never)]
+fn maps_lane_by_lane<T: Scalar>(
+    parts: TwoMassParts<T>,
+    interval: T,
+) -> Result<Maps<T>, ParameterError> {
+    maps(parts, interval, lane_by_lane)
+}
+
 /// The gains of device, stretch and their velocities over `interval`; nothing is checked.
 #[inline(always)]
-pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> [[T; 5]; 4] {
-    let [position, stretch, velocity, stretching, _] = if has_all_digits::<T>() {
-        rows(&increments(parts, interval))
-    } else {
-        by_rows(|lane| increments(parts.map(|number| number.real(lane)), interval.real(lane)))
-    };
+pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Maps<T> {
+    if T::LANES == 1 || !has_all_digits::<T>() {
+        return lane_by_lane(parts, interval);
+    }
+    let [position, stretch, velocity, stretching, _] = rows(&increments(parts, interval));
     [position, stretch, velocity, stretching]
+}
+
+/// The same gains, bit for bit, by one function for the lanes of all scalars; for the reasons of [`Body`](crate::Body).
+fn lane_by_lane<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Maps<T> {
+    let [position, stretch, velocity, stretching, _] =
+        by_rows(|lane| out_of_line(parts.map(|number| number.real(lane)), interval.real(lane)));
+    [position, stretch, velocity, stretching]
+}
+
+#[inline(never)]
+fn out_of_line<R: Scalar>(parts: TwoMassParts<R>, interval: R) -> Map<R> {
+    increments(parts, interval)
 }
 
 /// A linear map of centre, stretch, their velocities and the held effort.
@@ -199,7 +223,7 @@ impl<V: Signal> OperatedBody<V> for TwoMassBody<V> {
     #[inline(always)]
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
-        self.maps = maps(parts, interval)?;
+        self.maps = maps(parts, interval, two_mass_increments)?;
         self.period = interval;
         Ok(())
     }
