@@ -15,8 +15,8 @@ pub(super) enum Weight {
 impl Weight {
     pub(super) fn bytes(self) -> &'static [u8] {
         match self {
-            Self::Regular => dejavu::sans::regular(),
-            Self::Bold => dejavu::sans::bold(),
+            Self::Regular => include_bytes!(concat!(env!("OUT_DIR"), "/regular.ttf")),
+            Self::Bold => include_bytes!(concat!(env!("OUT_DIR"), "/bold.ttf")),
         }
     }
 }
@@ -89,6 +89,55 @@ pub(super) fn wrapped(text: &str, size: f64, weight: Weight, room: f64) -> Vec<S
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Outline of a letter, as the reader tells it.
+    #[derive(Debug, Default, PartialEq)]
+    struct Outline(Vec<(char, [f32; 4])>);
+
+    impl ttf_parser::OutlineBuilder for Outline {
+        fn move_to(&mut self, x: f32, y: f32) {
+            self.0.push(('m', [x, y, 0.0, 0.0]));
+        }
+
+        fn line_to(&mut self, x: f32, y: f32) {
+            self.0.push(('l', [x, y, 0.0, 0.0]));
+        }
+
+        fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+            self.0.push(('q', [x1, y1, x, y]));
+        }
+
+        fn curve_to(&mut self, _: f32, _: f32, _: f32, _: f32, _: f32, _: f32) {
+            unreachable!("the typeface has quadratic curves only");
+        }
+
+        fn close(&mut self) {
+            self.0.push(('z', [0.0; 4]));
+        }
+    }
+
+    #[test]
+    fn every_letter_has_the_outline_and_the_width_of_the_whole_typeface() {
+        for (weight, whole) in
+            [(Weight::Regular, dejavu::sans::regular()), (Weight::Bold, dejavu::sans::bold())]
+        {
+            let faces = [weight.bytes(), whole].map(|bytes| Face::parse(bytes, 0).unwrap());
+            let units = faces.each_ref().map(Face::units_per_em);
+            assert_eq!(units[0], units[1]);
+            let characters = ttf_parser::Tag::from_bytes(b"cmap");
+            let [lean, all] = faces.each_ref().map(|face| face.raw_face().table(characters));
+            assert_eq!(lean, all);
+            assert!(faces[1].number_of_glyphs() > 6000);
+            for glyph in (0..faces[1].number_of_glyphs()).map(ttf_parser::GlyphId) {
+                let [lean, whole] = faces.each_ref().map(|face| {
+                    let mut outline = Outline::default();
+                    let bounds = face.outline_glyph(glyph, &mut outline);
+                    (outline, bounds, face.glyph_hor_advance(glyph))
+                });
+                assert_eq!(lean, whole, "{glyph:?}");
+            }
+        }
+    }
 
     #[test]
     fn the_shipped_typeface_is_read() {

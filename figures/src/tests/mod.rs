@@ -11,13 +11,12 @@ use resvg::usvg::{Options, Tree};
 
 use self::gallery::{four_panels, gallery, two_swings};
 use super::*;
-use crate::text::Weight;
 
-/// The drawing that another reader finds in an SVG document, with the included typeface.
+/// The drawing that another reader finds in an SVG document, with the whole typeface: it asks for its name.
 fn read(svg: &str) -> Tree {
     let mut fonts = Database::new();
-    for weight in [Weight::Regular, Weight::Bold] {
-        fonts.load_font_source(Source::Binary(Arc::new(weight.bytes())));
+    for weight in [dejavu::sans::regular(), dejavu::sans::bold()] {
+        fonts.load_font_source(Source::Binary(Arc::new(weight)));
     }
     Tree::from_str(svg, &Options { fontdb: Arc::new(fonts), ..Options::default() }).unwrap()
 }
