@@ -137,7 +137,7 @@ impl One for DoubleDouble {
 impl Add for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let (high, low) = (Self::sum_of(self.high, other.high), Self::sum_of(self.low, other.low));
         let once = Self::normalized(high.high, high.low + low.high);
@@ -166,7 +166,7 @@ impl Sub for DoubleDouble {
 impl Mul for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let product = Self::product_of(self.high, other.high);
         let cross = sound(self.high * other.low + self.low * other.high);
@@ -177,7 +177,7 @@ impl Mul for DoubleDouble {
 impl Div for DoubleDouble {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
         if !first.is_finite() || !other.high.is_finite() {
