@@ -198,7 +198,7 @@ pub(super) trait Play: Send + Sync {
 pub(super) struct Played<P>(pub(super) P);
 
 impl<P: Play> Played<P> {
-    fn run<T: Scalar, S: lyapunov::Stabilizer<T>>(
+    fn run<T: Scalar, S: lyapunov::Stabilizer<T> + 'static>(
         &self,
         first: usize,
         pledge: Pledge,
@@ -209,7 +209,7 @@ impl<P: Play> Played<P> {
         let mut worst: Option<Vec<Tally>> = None;
         for index in 0..self.0.runs() {
             let terms = Terms { pledge: pledge.clone(), ..self.0.terms(limit) };
-            let (watched, record) = Watched::new::<T>(stabilizer()?, terms);
+            let (watched, record) = Watched::new(stabilizer()?, terms);
             let value = self.0.play::<T>(index, first, watched)?;
             let mut tallies = record.tallies();
             for (lane, tally) in tallies.iter_mut().enumerate() {

@@ -13,9 +13,10 @@ use super::terms::{Terms, Unsound};
 use crate::files::scene::{Credit, LedgerKind, Manner, Reference, Work};
 
 /// A stabilizer whose corrections are checked against measurements made outside of it, lane by lane.
-#[derive(Debug)]
-pub(super) struct Watched<S> {
-    stabilizer: S,
+///
+/// It is in a box, so that a case is compiled once for each signal, and not for each stabilizer too.
+pub(super) struct Watched<V> {
+    stabilizer: Box<dyn Stabilizer<V>>,
     record: Record,
 }
 
@@ -30,14 +31,14 @@ impl Record {
     }
 }
 
-impl<S> Watched<S> {
-    pub(super) fn new<T: Scalar>(stabilizer: S, terms: Terms) -> (Self, Record) {
-        let record = Record(Rc::new(RefCell::new(Meters::new::<T>(terms))));
-        (Self { stabilizer, record: record.clone() }, record)
+impl<V: Signal> Watched<V> {
+    pub(super) fn new(stabilizer: impl Stabilizer<V> + 'static, terms: Terms) -> (Self, Record) {
+        let record = Record(Rc::new(RefCell::new(Meters::new::<V::Scalar>(terms))));
+        (Self { stabilizer: Box::new(stabilizer), record: record.clone() }, record)
     }
 }
 
-impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watched<S> {
+impl<V: Signal> Stabilizer<V> for Watched<V> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let correction = self.stabilizer.stabilize(sample, effort);
         self.record.0.borrow_mut().watch(sample, effort, &correction);

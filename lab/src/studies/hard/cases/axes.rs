@@ -75,9 +75,11 @@ impl Masking {
         all.into_iter().enumerate().map(told).collect()
     }
 
-    fn alone(stabilizer: impl Stabilizer<Plane<f64>>) -> Result<Option<Tally>, HardError> {
+    fn alone(
+        stabilizer: impl Stabilizer<Plane<f64>> + 'static,
+    ) -> Result<Option<Tally>, HardError> {
         let terms = Terms::of(TICKS, f64::INFINITY);
-        let (watched, record) = Watched::new::<f64>(stabilizer, terms);
+        let (watched, record) = Watched::new(stabilizer, terms);
         let value = close::<f64>(0, watched)?;
         Ok(Self::told(&[record], value).pop())
     }
@@ -92,12 +94,12 @@ impl EveryScalar for Masking {
         let popc = Lolc::new(PortEnergy, limit::<T>()?);
         let terms = || Terms::of(TICKS, popc_limit::<T>());
         if self.per_axis {
-            let (x, of_x) = Watched::new::<T>(popc, terms());
-            let (y, of_y) = Watched::new::<T>(popc, terms());
+            let (x, of_x) = Watched::new(popc, terms());
+            let (y, of_y) = Watched::new(popc, terms());
             let value = close::<T>(first, PerAxis::of([x, y]))?;
             return Ok(Self::told(&[of_x, of_y], value));
         }
-        let (watched, record) = Watched::new::<T>(popc, terms());
+        let (watched, record) = Watched::new(popc, terms());
         let value = close::<T>(first, watched)?;
         Ok(Self::told(&[record], value))
     }
@@ -111,8 +113,8 @@ fn per_axis<T: Scalar + Space>(
     let basis = Basis::of_hand(MASS, PERIOD, 1.0);
     let pledge = member::pledge_of::<T>(member, &basis);
     let terms = Terms { pledge, ..Terms::of(TICKS, popc_limit::<T>()) };
-    let (x, of_x) = Watched::new::<T>(member::set_by::<T>(member, &basis)?, terms.clone());
-    let (y, of_y) = Watched::new::<T>(member::set_by::<T>(member, &basis)?, terms);
+    let (x, of_x) = Watched::new(member::set_by::<T>(member, &basis)?, terms.clone());
+    let (y, of_y) = Watched::new(member::set_by::<T>(member, &basis)?, terms);
     let value = close::<T>(first, PerAxis::of([x, y]))?;
     Ok(Masking::told(&[of_x, of_y], value))
 }

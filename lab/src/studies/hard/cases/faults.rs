@@ -121,7 +121,7 @@ impl Play for Spoilt {
 struct Guarded(Spoilt);
 
 impl Guarded {
-    fn runs_in<T: Scalar<Mask = bool>, S: Stabilizer<T>>(
+    fn runs_in<T: Scalar<Mask = bool>, S: Stabilizer<T> + 'static>(
         &self,
         first: usize,
         pledge: Pledge,
@@ -132,7 +132,7 @@ impl Guarded {
         for index in 0..self.0.runs() {
             let terms = Terms { pledge: pledge.clone(), ..Terms::of(TICKS, most) };
             let (watched, record) =
-                crate::studies::hard::watched::Watched::new::<T>(stabilizer()?, terms);
+                crate::studies::hard::watched::Watched::new(stabilizer()?, terms);
             let port = wall::<T>()?.stabilized(watched).guarded(Fallback::Hold);
             let end = self.0.close(index, first, port)?;
             for mut tally in record.tallies() {

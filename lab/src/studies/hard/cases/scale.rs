@@ -82,7 +82,7 @@ impl Scaled {
 
     /// Measurements of the scaled runs, the worst of all powers; their value is
     /// `|late swing / usual late swing − 1|`.
-    fn spread<T: Scalar, S: Stabilizer<T>>(
+    fn spread<T: Scalar, S: Stabilizer<T> + 'static>(
         &self,
         first: usize,
         pledge: impl Fn(i32) -> Pledge,
@@ -93,7 +93,7 @@ impl Scaled {
         for power in POWERS {
             let most = self.limit::<T>(power)?.most().lane(0);
             let terms = Terms { pledge: pledge(power), ..Terms::of(TICKS, most) };
-            let (watched, record) = Watched::new::<T>(stabilizer(power)?, terms);
+            let (watched, record) = Watched::new(stabilizer(power)?, terms);
             let swing = self.close::<T>(power, first, watched)?;
             for (lane, mut tally) in record.tallies().into_iter().enumerate() {
                 tally.value = (swing.lane(lane) / usual.lane(lane) - 1.0).abs();

@@ -223,7 +223,7 @@ impl Late {
         let (basis, period) = (self.basis(), |_| T::of(1.0 / RATE));
         let terms = self.terms(self.limit::<T>()?.most().lane(0));
         let terms = Terms { pledge: member::pledge_of::<T>(member, &basis), ..terms };
-        let (watched, record) = Watched::new::<T>(member::set_by::<T>(member, &basis)?, terms);
+        let (watched, record) = Watched::new(member::set_by::<T>(member, &basis)?, terms);
         let late = Self::close(LATE, first, watched, period)?;
         let early = Self::close(0, first, member::set_by::<T>(member, &basis)?, period)?;
         let value = Self::apart(&late, &early).lane(0);
