@@ -13,7 +13,7 @@ const [wasm, tools, out] = process.argv.slice(2);
 const { buildSync, transformSync } = await import(join(tools, "esbuild", "lib", "main.js")).then((it) => it.default ?? it);
 const page = join(dirname(fileURLToPath(import.meta.url)), "page");
 /** Bytes of the page as it is sent with gzip: what the lab takes, and a little more. */
-const MOST = 320_000;
+const MOST = 318_000;
 
 const bundle = buildSync({ entryPoints: [join(page, "main.js")], bundle: true, minify: true, format: "iife", target: "es2022", charset: "utf8", write: false });
 const program = bundle.outputFiles[0].text.trim().replaceAll("</script", "<\\/script");
@@ -22,7 +22,8 @@ const style = transformSync(readFileSync(join(page, "style.css"), "utf8"), { loa
 function smaller(module) {
   const short = join(dirname(out), "page.wasm");
   const features = ["simd", "bulk-memory", "sign-ext", "mutable-globals", "nontrapping-float-to-int", "multivalue", "reference-types"];
-  const flags = ["-Oz", ...features.map((it) => `--enable-${it}`), "--strip-debug", "--strip-producers", "--strip-target-features"];
+  // Laid out flat first, after which the passes for size find more.
+  const flags = ["--flatten", "--rereloop", "-Oz", "-Oz", "--converge", ...features.map((it) => `--enable-${it}`), "--strip-debug", "--strip-producers", "--strip-target-features"];
   execFileSync(process.execPath, [join(tools, "binaryen", "bin", "wasm-opt"), ...flags, module, "-o", short]);
   return readFileSync(short);
 }
