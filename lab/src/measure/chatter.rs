@@ -106,10 +106,17 @@ impl<V: Signal> Line<V> {
     }
 
     /// Begins the next half segment. The phases start anew there, so that their roundings do not add up.
+    #[inline(always)]
     fn begin(&mut self) {
         self.before = std::mem::replace(&mut self.sum, (V::zero(), V::zero()));
         self.now = self.first;
     }
+}
+
+/// A line's share of the window, which takes from those beside it.
+#[inline(always)]
+fn part<V: Signal>(of: V, beside: V) -> V {
+    of.scale(V::Scalar::of(0.5)) - beside.scale(V::Scalar::of(0.25))
 }
 
 impl<V: Signal> Chatter<V> {
@@ -177,8 +184,6 @@ impl<V: Signal> Chatter<V> {
     #[inline(always)]
     fn close(&mut self) {
         let pairs = self.pairs();
-        let part =
-            |of: V, beside: V| of.scale(V::Scalar::of(0.5)) - beside.scale(V::Scalar::of(0.25));
         let none = (V::zero(), V::zero());
         let (mut below, mut line, mut weight) = (none, none, 0.0);
         for (index, next) in self.lines.iter().enumerate() {

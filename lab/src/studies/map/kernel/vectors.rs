@@ -15,6 +15,22 @@ use super::backward::Fuse;
 use super::batch::Batch;
 use super::proven::Proven;
 
+/// Does the same for the place of each of `N` vectors.
+///
+/// It is no loop, for a build for size keeps loops, and an array that is indexed in a loop stays in memory.
+macro_rules! each {
+    ($count:ident, $place:ident => $job:expr) => {
+        const { assert!($count <= 4) };
+        each!(@ $count, $place => $job, 0, 1, 2, 3);
+    };
+    (@ $count:ident, $place:ident => $job:expr, $($at:literal),+) => {
+        $(if $at < $count {
+            let $place = $at;
+            $job;
+        })+
+    };
+}
+
 macro_rules! operators {
     ($lanes:ident: $($operation:ident $method:ident by $of_vector:ident),+ ;
         $($assigning:ident $assign:ident by $plain:ident),+) => {
@@ -43,9 +59,9 @@ macro_rules! logic {
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
                 let (mut vectors, proof) = (self.vectors, self.proof);
-                for (place, one) in vectors.iter_mut().enumerate() {
-                    *one = proof.$of_vector(*one, other.vectors[place]);
-                }
+                each!(N, place => {
+                    vectors[place] = proof.$of_vector(vectors[place], other.vectors[place])
+                });
                 Self { proof, vectors }
             }
         })+
@@ -89,9 +105,9 @@ macro_rules! vectors {
                 of: impl Fn(S, S::$vector, S::$vector) -> S::$vector,
             ) -> Self {
                 let (mut vectors, proof) = (self.vectors, self.proof);
-                for (place, one) in vectors.iter_mut().enumerate() {
-                    *one = of(proof, *one, other.vectors[place]);
-                }
+                each!(N, place => {
+                    vectors[place] = of(proof, vectors[place], other.vectors[place])
+                });
                 Self { proof, vectors }
             }
 
@@ -163,9 +179,10 @@ macro_rules! vectors {
             #[inline(always)]
             fn choose(mask: $mask<S, N>, yes: Self, no: Self) -> Self {
                 let (mut vectors, proof) = (yes.vectors, yes.proof);
-                for (place, one) in vectors.iter_mut().enumerate() {
-                    *one = proof.$select(mask.vectors[place], *one, no.vectors[place]);
-                }
+                each!(N, place => {
+                    vectors[place] =
+                        proof.$select(mask.vectors[place], vectors[place], no.vectors[place])
+                });
                 Self { proof, vectors }
             }
         }
@@ -231,8 +248,11 @@ macro_rules! vectors {
             #[inline(always)]
             fn below(self, other: Self) -> $mask<S, N> {
                 let proof = self.proof;
-                let less = |place| proof.$less(self.vectors[place], other.vectors[place]);
-                $mask { proof, vectors: std::array::from_fn(less) }
+                let mut vectors = [proof.$less(self.vectors[0], other.vectors[0]); N];
+                each!(N, place => {
+                    vectors[place] = proof.$less(self.vectors[place], other.vectors[place])
+                });
+                $mask { proof, vectors }
             }
 
             #[inline(always)]
@@ -257,9 +277,10 @@ macro_rules! vectors {
             #[inline(always)]
             fn fused(self, factor: Self, term: Self) -> Self {
                 let (mut vectors, proof) = (self.vectors, self.proof);
-                for (place, one) in vectors.iter_mut().enumerate() {
-                    *one = proof.$fused(*one, factor.vectors[place], term.vectors[place]);
-                }
+                each!(N, place => {
+                    vectors[place] =
+                        proof.$fused(vectors[place], factor.vectors[place], term.vectors[place])
+                });
                 Self { proof, vectors }
             }
         }
@@ -283,9 +304,9 @@ macro_rules! vectors {
             fn not(self) -> Self {
                 let (mut vectors, proof) = (self.vectors, self.proof);
                 let every = <Self as Mask>::of(true);
-                for (place, one) in vectors.iter_mut().enumerate() {
-                    *one = proof.$xor(*one, every.vectors[place]);
-                }
+                each!(N, place => {
+                    vectors[place] = proof.$xor(vectors[place], every.vectors[place])
+                });
                 Self { proof, vectors }
             }
         }
@@ -311,9 +332,9 @@ macro_rules! vectors {
             fn all(self) -> bool {
                 let untrue = !self;
                 let mut any = untrue.vectors[0];
-                for one in &untrue.vectors[1..] {
-                    any = self.proof.$or(any, *one);
-                }
+                each!(N, place => if place > 0 {
+                    any = self.proof.$or(any, untrue.vectors[place])
+                });
                 self.proof.$first(any) == $lanes::<S, N>::EACH
             }
         }
