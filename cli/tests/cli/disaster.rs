@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::os::unix::process::ExitStatusExt;
 use std::process::{Command, Stdio};
 use std::thread;
 use std::time::Duration;
@@ -85,6 +86,8 @@ fn killed(command: fn(&[&'static str]) -> Vec<&'static str>, kills: u32) {
             thread::sleep(Duration::from_micros(draws.next() % takes));
             child.kill().unwrap();
             let status = child.wait().unwrap();
+            // It ended by itself, or by the signal that cannot be caught.
+            assert!(status.success() || status.signal() == Some(9), "{status}");
             killed += u32::from(!status.success());
             ended += u32::from(status.success());
             are_whole(&place, "out", &whole);
