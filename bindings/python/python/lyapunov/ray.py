@@ -124,7 +124,7 @@ def _count(whole: int, timed: Callable[[int], Any]) -> int:
         seconds: float = ray.get(timed(share))
         if seconds >= TRIAL or share == 1:
             # As many for each core: the last ones end together.
-            cores = max(1, int(ray.cluster_resources().get("CPU", 1)))
+            cores = max(1, int(_resources().get("CPU", 1)))
             return max(1, min(whole, math.ceil(share * seconds / SECONDS / cores) * cores))
         share = max(1, share // 8)
 
@@ -205,6 +205,8 @@ def _timed(work: Callable[..., object]) -> Callable[..., float]:
     return timed
 
 
+# It has no types.
+_resources: Any = ray.cluster_resources
 _shard: Any = ray.remote(num_cpus=1, max_retries=RETRIES)(_table)
 _timed_shard: Any = ray.remote(num_cpus=1, max_retries=RETRIES)(_timed(_table))
 _members: Any = ray.remote(num_cpus=1, max_retries=RETRIES)(_run_members)
