@@ -7,6 +7,9 @@ use lyapunov_core::{PortSample, Signal, Stabilizer};
 use lyapunov_embedded::{BLOCK, Hash, Number, SEEDS, Ticks, Visit, hash, step, visit};
 use lyapunov_stabilizers::Member;
 
+/// Ticks from each seed: all of a block in release, as `run.sh` builds it; without optimization they take a minute and a half.
+const EACH: usize = if cfg!(debug_assertions) { 100 } else { BLOCK };
+
 /// One lane of a run: the numbers of its samples and efforts, one after the other, and the hash of what was answered.
 struct Lane {
     told: Vec<f64>,
@@ -24,7 +27,7 @@ impl<T: Number> Visit<T> for Lanes {
     {
         let run = |lane| {
             let (mut member, mut hash, mut told) = (member, Hash::EMPTY, Vec::new());
-            for (sample, effort) in SEEDS.flat_map(|seed| Ticks::<V>::new(seed).take(100)) {
+            for (sample, effort) in SEEDS.flat_map(|seed| Ticks::<V>::new(seed).take(EACH)) {
                 let PortSample { period, position, velocity, displacement, applied, work } = sample;
                 told.push(period.lane(lane));
                 for signal in [position, velocity, displacement, applied, work, effort] {
