@@ -98,18 +98,20 @@ impl<V: Signal> Body<V> {
     }
 }
 
-/// The gains of position and velocity over `interval`, which `increments` computes.
+/// The same parts, of a mass that can move.
 #[inline(always)]
-fn maps<T: Scalar>(
-    impedance: Impedance<T>,
-    interval: T,
-    increments: impl FnOnce(Impedance<T>, T) -> [[T; 3]; 2],
-) -> Result<[Row<T>; 2], ParameterError> {
-    let mass = Requirement::Positive.check("mass", impedance.mass)?;
-    let damping = Requirement::NonNegative.check("damping", impedance.damping)?;
-    let stiffness = Requirement::NonNegative.check("stiffness", impedance.stiffness)?;
-    let row = |[deflection, velocity, effort]: [T; 3]| Row { deflection, velocity, effort };
-    let rows = increments(Impedance { mass, damping, stiffness }, interval).map(row);
+fn checked<T: Scalar>(parts: Impedance<T>) -> Result<Impedance<T>, ParameterError> {
+    Ok(Impedance {
+        mass: Requirement::Positive.check("mass", parts.mass)?,
+        damping: Requirement::NonNegative.check("damping", parts.damping)?,
+        stiffness: Requirement::NonNegative.check("stiffness", parts.stiffness)?,
+    })
+}
+
+/// The gains by row, of a motion in the scalar's range.
+#[inline(always)]
+fn in_range<T: Scalar>(mass: T, gains: [[T; 3]; 2]) -> Result<[Row<T>; 2], ParameterError> {
+    let rows = gains.map(|[deflection, velocity, effort]| Row { deflection, velocity, effort });
     let finite = rows[0].finite() & rows[1].finite();
     if finite.all() {
         return Ok(rows);
@@ -119,13 +121,14 @@ fn maps<T: Scalar>(
     Err(ParameterError { parameter, value, requirement: Requirement::InRange })
 }
 
-/// The same for every signal of a scalar.
+/// The gains over `interval`, by one function for every signal of a scalar.
 #[inline(never)]
 fn maps_lane_by_lane<T: Scalar>(
-    impedance: Impedance<T>,
+    parts: Impedance<T>,
     interval: T,
 ) -> Result<[Row<T>; 2], ParameterError> {
-    maps(impedance, interval, lane_by_lane)
+    let parts = checked(parts)?;
+    in_range(parts.mass, lane_by_lane(parts, interval))
 }
 
 /// The gains of position and velocity over `interval` per unit of deflection, velocity and effort; nothing is checked.
@@ -218,7 +221,9 @@ impl<V: Signal> OperatedBody<V> for Body<V> {
     #[inline(always)]
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
-        [self.position_map, self.velocity_map] = maps(parts, interval, impedance_increments)?;
+        let parts = checked(parts)?;
+        let gains = impedance_increments(parts, interval);
+        [self.position_map, self.velocity_map] = in_range(parts.mass, gains)?;
         self.period = interval;
         Ok(())
     }

@@ -82,30 +82,26 @@ impl<V: Signal> TwoMassBody<V> {
     }
 }
 
+/// The gains, of a motion in the scalar's range.
 #[inline(always)]
-fn maps<T: Scalar>(
-    parts: TwoMassParts<T>,
-    interval: T,
-    increments: impl FnOnce(TwoMassParts<T>, T) -> Maps<T>,
-) -> Result<Maps<T>, ParameterError> {
-    let parts = parts.checked()?;
-    let maps = increments(parts, interval);
+fn in_range<T: Scalar>(device: T, maps: Maps<T>) -> Result<Maps<T>, ParameterError> {
     let finite = maps.iter().flatten().fold(T::Mask::of(true), |all, entry| all & entry.finite());
     if finite.all() {
         return Ok(maps);
     }
     let lane = (0..T::LANES).find(|&lane| !finite.lane(lane)).unwrap_or_default();
-    let (parameter, value) = ("device.mass", parts.device.mass.lane(lane));
+    let (parameter, value) = ("device.mass", device.lane(lane));
     Err(ParameterError { parameter, value, requirement: Requirement::InRange })
 }
 
-/// The same for every signal of a scalar.
+/// The gains over `interval`, by one function for every signal of a scalar.
 #[inline(never)]
 fn maps_lane_by_lane<T: Scalar>(
     parts: TwoMassParts<T>,
     interval: T,
 ) -> Result<Maps<T>, ParameterError> {
-    maps(parts, interval, lane_by_lane)
+    let parts = parts.checked()?;
+    in_range(parts.device.mass, lane_by_lane(parts, interval))
 }
 
 /// The gains of device, stretch and their velocities over `interval`; nothing is checked.
@@ -223,7 +219,8 @@ impl<V: Signal> OperatedBody<V> for TwoMassBody<V> {
     #[inline(always)]
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
-        self.maps = maps(parts, interval, two_mass_increments)?;
+        let parts = parts.checked()?;
+        self.maps = in_range(parts.device.mass, two_mass_increments(parts, interval))?;
         self.period = interval;
         Ok(())
     }
