@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use crate::{Scalar, Signal};
+use crate::{Mask, Scalar, Signal};
 
 /// Rejected parameter: its name, its value and what would be right.
 ///
@@ -69,7 +69,24 @@ impl Requirement {
     /// constructor.
     #[inline(never)]
     fn missed<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
+        if self.surely_holds(value) {
+            return None;
+        }
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
+    }
+
+    /// Whether all lanes are right, for a requirement without a number; with one it is not known. A loop that changes a parameter
+    /// on each tick asks this on all lanes at once.
+    #[inline(always)]
+    fn surely_holds<T: Scalar>(self, value: T) -> bool {
+        let none = T::zero();
+        let right = match self {
+            Self::Finite | Self::InRange => value.finite(),
+            Self::Positive => value.finite() & value.above(none),
+            Self::NonNegative => value.finite() & !value.below(none),
+            Self::Limit | Self::AtMost(_) | Self::AtLeast(_) => return false,
+        };
+        right.all()
     }
 
     /// `value` if every lane of it is right.

@@ -5,15 +5,15 @@ use lyapunov_core::{
 };
 use nalgebra::{Matrix3, SMatrix};
 
-use super::propagation::{by_rows, has_all_digits, rows};
-use crate::{Impedance, Linear, OperatedBody, held_input};
+use super::propagation::{self, by_rows, has_all_digits, rows};
+use crate::{Impedance, Linear, OperatedBody};
 
 /// A mass with damping and a spring to a rest position, moved exactly over each period:
 /// `m ẍ + b ẋ + k (x − rest) = −effort`.
 ///
 /// The effort is held over the period, so the motion is linear and has a closed form: `x += E₁₁ p + E₁₂ v + G₁ f` and
 /// `v += E₂₁ p + E₂₂ v + G₂ f` with `p = x − rest` and the increments of the matrix exponential, computed once
-/// ([`held_input`]). Every axis moves like that. With the operator's `stiffness` and `rest`, and the mass and damping
+/// ([`held_input`](crate::held_input)). Every axis moves like that. With the operator's `stiffness` and `rest`, and the mass and damping
 /// of operator and device together, it is the left side of the paper's figure 2; that the two move as one is our
 /// reading, the paper does not say so.
 ///
@@ -162,7 +162,7 @@ fn increments<R: Scalar>(parts: Impedance<R>, interval: R) -> Matrix3<R> {
     let Impedance { mass: m, damping: b, stiffness: k } = parts;
     let (none, one) = (R::zero(), R::one());
     let rate = [[none, one, none], [-k / m, -b / m, -one / m], [none; 3]];
-    held_input(Matrix3::from_fn(|row, column| rate[row][column] * interval))
+    propagation::increments::<R, 3, 2>(Matrix3::from_fn(|row, column| rate[row][column] * interval))
 }
 
 /// `increments` with the first entry corrected by the last digits of the scalar, so that the rounding of the others

@@ -16,6 +16,14 @@ use nalgebra::SMatrix;
 /// Functions of Matrices, 2008, chapter 10). An `A` that is not finite gives entries that are not finite.
 #[inline(always)]
 pub fn held_input<R: Scalar, const N: usize>(matrix: SMatrix<R, N, N>) -> SMatrix<R, N, N> {
+    increments::<R, N, N>(matrix)
+}
+
+/// [`held_input`] of a matrix whose rows from `M` on are those of an input, all zero, with the same digits for less work.
+#[inline(always)]
+pub(super) fn increments<R: Scalar, const N: usize, const M: usize>(
+    matrix: SMatrix<R, N, N>,
+) -> SMatrix<R, N, N> {
     let (half, none, one) = (R::of(0.5), R::zero(), R::one());
     let mut scaled = matrix;
     // In each lane.
@@ -33,48 +41,54 @@ pub fn held_input<R: Scalar, const N: usize>(matrix: SMatrix<R, N, N>) -> SMatri
         halvings += R::choose(large, one, none);
         most += one;
     }
-    let mut polynomial = SMatrix::identity();
-    let mut next = polynomial;
-    for degree in (2..=degree::<R>()).rev() {
-        let share = R::of(degree.into());
-        multiply(&scaled, &polynomial, &mut next);
-        for (entry, unit) in polynomial.as_mut_slice().iter_mut().zip(next.as_slice()) {
-            apart::<R>();
-            *entry = none + *unit / share;
+    let (mut polynomial, mut next) = (SMatrix::zeros(), scaled);
+    for share in (2..=degree::<R>()).rev().map(|degree| R::of(degree.into())) {
+        for (column, (to, from)) in polynomial.data.0.iter_mut().zip(&next.data.0).enumerate() {
+            for (row, (to, from)) in to[..M].iter_mut().zip(from).enumerate() {
+                apart::<R>();
+                *to = if row == column { one } else { none } + *from / share;
+            }
         }
-        for at in 0..N {
-            polynomial[(at, at)] = one + next[(at, at)] / share;
+        multiply::<R, N, M>(&scaled, &polynomial, &mut next);
+        // The rows of an input are those of the identity.
+        for (to, from) in next.data.0[M..].iter_mut().zip(&scaled.data.0[M..]) {
+            for (to, from) in to[..M].iter_mut().zip(from) {
+                apart::<R>();
+                *to += *from;
+            }
         }
     }
-    multiply(&scaled, &polynomial, &mut next);
     let mut done = none;
     while done.below(most).any() {
         let (open, before, two) = (done.below(halvings), next, R::of(2.0));
         let square = &mut polynomial;
-        multiply(&before, &before, square);
-        for (entry, square) in next.as_mut_slice().iter_mut().zip(square.as_slice()) {
-            apart::<R>();
-            *entry = R::choose(open, *entry * two + *square, *entry);
+        multiply::<R, N, M>(&before, &before, square);
+        for (to, square) in next.data.0.iter_mut().zip(&square.data.0) {
+            for (entry, square) in to[..M].iter_mut().zip(square) {
+                apart::<R>();
+                *entry = R::choose(open, *entry * two + *square, *entry);
+            }
         }
         done += one;
     }
     next
 }
 
-/// The matrix product, into `all`. That of nalgebra is not always inlined, and so computes lanes on the base set of
-/// instructions; and the compiler finds the vectors of lanes between a read and a write.
+/// The first `M` rows of a matrix product, of factors whose other rows count as zero, into `all`. That of nalgebra is not always
+/// inlined, and so computes lanes on the base set of instructions; and the compiler finds the vectors of lanes between a read and a
+/// write.
 #[expect(clippy::needless_range_loop, reason = "a zip of columns and factors takes twice as long")]
 #[inline(always)]
-fn multiply<R: Scalar, const N: usize>(
+fn multiply<R: Scalar, const N: usize, const M: usize>(
     one: &SMatrix<R, N, N>,
     other: &SMatrix<R, N, N>,
     all: &mut SMatrix<R, N, N>,
 ) {
     for (to, factors) in all.data.0.iter_mut().zip(&other.data.0) {
-        for (row, to) in to.iter_mut().enumerate() {
+        for (row, to) in to[..M].iter_mut().enumerate() {
             apart::<R>();
             let mut sum = one.data.0[0][row] * factors[0];
-            for at in 1..N {
+            for at in 1..M {
                 sum += one.data.0[at][row] * factors[at];
             }
             *to = sum;
@@ -89,7 +103,7 @@ pub(super) fn product<R: Scalar, const N: usize>(
     other: &SMatrix<R, N, N>,
 ) -> SMatrix<R, N, N> {
     let mut all = *one;
-    multiply(one, other, &mut all);
+    multiply::<R, N, N>(one, other, &mut all);
     all
 }
 
@@ -108,12 +122,16 @@ fn degree<R: Scalar>() -> u8 {
 /// The largest sum of magnitudes in a row.
 #[inline(always)]
 fn size<R: Scalar, const N: usize>(matrix: &SMatrix<R, N, N>) -> R {
-    let columns = &matrix.data.0;
-    let of_row = |row: usize| {
+    let mut largest = R::zero();
+    for row in 0..N {
         apart::<R>();
-        columns.iter().fold(R::zero(), |sum, it| sum + it[row].magnitude())
-    };
-    (0..N).map(of_row).fold(R::zero(), |largest, row| row.larger(largest))
+        let mut sum = R::zero();
+        for column in &matrix.data.0 {
+            sum += column[row].magnitude();
+        }
+        largest = sum.larger(largest);
+    }
+    largest
 }
 
 /// Stands in a loop over numbers of several lanes, which are vectors by themselves.

@@ -5,8 +5,8 @@ use lyapunov_core::{
 };
 use nalgebra::SMatrix;
 
-use super::propagation::{by_rows, has_all_digits, product, rows};
-use crate::{Linear, OperatedBody, TwoMassParts, held_input};
+use super::propagation::{self, by_rows, has_all_digits, product, rows};
+use crate::{Linear, OperatedBody, TwoMassParts};
 
 /// An operator and a device joined by a link, moved exactly over each period; the sample reports the device's motion:
 ///
@@ -133,7 +133,9 @@ type Map<R> = SMatrix<R, 5, 5>;
 fn increments<R: Scalar>(parts: TwoMassParts<R>, interval: R) -> Map<R> {
     let (device, centre) = views(parts);
     let rate = equations(parts);
-    let gains = held_input(Map::from_fn(|row, column| rate[row][column] * interval));
+    let gains = propagation::increments::<R, 5, 4>(Map::from_fn(|row, column| {
+        rate[row][column] * interval
+    }));
     product(&product(&device, &gains), &centre)
 }
 
@@ -175,6 +177,17 @@ fn equations<R: Scalar>(parts: TwoMassParts<R>) -> [[R; 5]; 5] {
     ]
 }
 
+/// The gain of one part of the state. A closure as long as this is called, and what is called computes lanes on the base set of
+/// instructions.
+#[inline(always)]
+fn gain<V: Signal>(row: &[V::Scalar; 5], state: &[V; 5]) -> V {
+    state[0].scale(row[0])
+        + state[1].scale(row[1])
+        + state[2].scale(row[2])
+        + state[3].scale(row[3])
+        + state[4].scale(row[4])
+}
+
 impl<V: Signal> Plant<V> for TwoMassBody<V> {
     #[inline]
     fn start(&self) -> PortSample<V> {
@@ -184,19 +197,12 @@ impl<V: Signal> Plant<V> for TwoMassBody<V> {
     #[inline(always)]
     fn advance(&mut self, effort: V) -> PortSample<V> {
         let before = self.position;
-        let deflection = before - self.rest;
         let (stretch, velocity, stretching) = (self.stretch, self.velocity, self.stretching);
-        let gain = |row: [V::Scalar; 5]| {
-            deflection.scale(row[0])
-                + stretch.scale(row[1])
-                + velocity.scale(row[2])
-                + stretching.scale(row[3])
-                + effort.scale(row[4])
-        };
-        self.position = before + gain(self.maps[0]);
-        self.stretch = stretch + gain(self.maps[1]);
-        self.velocity = velocity + gain(self.maps[2]);
-        self.stretching = stretching + gain(self.maps[3]);
+        let state = [before - self.rest, stretch, velocity, stretching, effort];
+        self.position = before + gain(&self.maps[0], &state);
+        self.stretch = stretch + gain(&self.maps[1], &state);
+        self.velocity = velocity + gain(&self.maps[2], &state);
+        self.stretching = stretching + gain(&self.maps[3], &state);
         HeldTick {
             period: self.period,
             position: self.position,

@@ -5,7 +5,8 @@ use serde::Serialize;
 
 use super::axis::{Axis, Spacing};
 use super::bounds::Bounds;
-use super::run::{Method, Run};
+use super::method::Method;
+use super::run::Run;
 use super::survey::Survey;
 use super::workload::Workload;
 use crate::measure::{Oddity, Verdict};

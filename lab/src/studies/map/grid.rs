@@ -209,7 +209,30 @@ impl Grid {
         Ok(self.variation.under(self.bare(cell)?, member, &self.values(cell))?)
     }
 
-    fn bare(&self, cell: u64) -> Result<Scene, GridError> {
+    /// The scenes of cells under `member`, from those that are alike for all: none if its table has no number of its own on an axis.
+    ///
+    /// # Errors
+    /// A value that the table does not allow.
+    pub(super) fn written(
+        &self,
+        cells: &[u64],
+        bare: &[Scene],
+        member: StabilizerName,
+    ) -> Result<Option<Vec<Scene>>, GridError> {
+        if (0..2).all(|which| self.member(which) != Some(member)) {
+            return Ok(None);
+        }
+        let under = |(cell, scene): (&u64, &Scene)| {
+            self.variation.under(scene.clone(), member, &self.values(*cell))
+        };
+        Ok(Some(cells.iter().zip(bare).map(under).collect::<Result<_, _>>()?))
+    }
+
+    /// The scene of a cell but for the numbers of a stabilizer's table that counts for that stabilizer only.
+    ///
+    /// # Errors
+    /// Two values that make no scene together.
+    pub(super) fn bare(&self, cell: u64) -> Result<Scene, GridError> {
         let scene = self.variation.scene(&self.values(cell).map(Some))?;
         scene.map_err(|reason| self.at(cell, reason))
     }

@@ -6,10 +6,11 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use super::grid::{Grid, GridError, Tile};
-use super::kernel::{Kernel, Lanes};
+use super::method::{Method, Placed};
 use super::run_error::RunError;
 use super::workload::Workload;
-use crate::measure::runs::{AllMeasures, Judged, Measures, Outcome, Runs, has_lanes};
+use crate::files::Scene;
+use crate::measure::runs::{AllMeasures, Judged, Measures, Outcome, Runs};
 use crate::measure::{Verdict, Yardstick};
 use crate::show::OutputError;
 use crate::simulate::Instructions;
@@ -24,42 +25,6 @@ const LEAST: usize = 64;
 
 /// The most cells of a band.
 const MOST: usize = 1 << 16;
-
-/// Method by which the cells are computed.
-#[derive(Debug)]
-pub enum Method {
-    /// Many at once, on lanes of one loop compiled for the plain scene, and its other stabilizers on lanes of boxes.
-    Kernel(Box<Kernel>),
-    /// Many at once, on lanes of boxes on these instructions.
-    Lanes(Instructions),
-    /// One by one.
-    Single,
-}
-
-/// The kernel of a tile, whose cells count from 0, and the tile's first cell.
-#[derive(Clone, Copy)]
-struct Placed<'a> {
-    kernel: &'a Kernel,
-    first: u64,
-}
-
-impl Placed<'_> {
-    /// `cells` of the map as cells of the tile.
-    fn cells(&self, cells: &[u64]) -> Vec<u64> {
-        cells.iter().map(|cell| cell - self.first).collect()
-    }
-}
-
-/// The method for the cells of `tile`.
-fn method_on(grid: &Grid, tile: &Tile) -> Result<Method, RunError> {
-    let best = Instructions::best();
-    let kernel = Kernel::of(&grid.within(tile), best, Lanes::Many)?;
-    Ok(match kernel {
-        Some(kernel) => Method::Kernel(Box::new(kernel)),
-        None if has_lanes(&grid.scene, &None) => Method::Lanes(best),
-        None => Method::Single,
-    })
-}
 
 /// Receiver of a band: its first cell, and the outcome of each of its cells under each stabilizer.
 pub type TakeOutcomes<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
@@ -79,7 +44,7 @@ impl<'a> Run<'a> {
     /// A value of an axis that the scene does not allow; threads that cannot be started.
     pub fn of(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
         grid.check().map_err(GridError::from)?;
-        Self::by(grid, method_on(grid, &grid.tile(0))?, threads)
+        Self::by(grid, Method::of(grid, &grid.tile(0))?, threads)
     }
 
     /// The same with each cell run by itself, whatever parts the scene has.
@@ -178,7 +143,7 @@ impl<'a> Run<'a> {
     /// The method for the cells of `tile`, where it is not that of all.
     fn method_on(&self, tile: &Tile) -> Result<Option<Method>, RunError> {
         match self.method {
-            Method::Kernel(_) => method_on(self.grid, tile).map(Some),
+            Method::Kernel(_) => Method::of(self.grid, tile).map(Some),
             Method::Lanes(_) | Method::Single => Ok(None),
         }
     }
@@ -206,8 +171,8 @@ impl<'a> Run<'a> {
                     all.extend(judged.into_iter().map(|(verdict, _)| verdict));
                 }
                 _ => {
-                    let outcomes = self.of_boxes(member, band, go_on, &mut Workload::default())?;
-                    all.extend(outcomes.into_iter().map(|outcome| outcome.verdict));
+                    let outcomes = self.of_boxes(&[member], band, go_on)?;
+                    all.extend(outcomes.into_iter().flatten().map(|outcome| outcome.verdict));
                 }
             }
         }
@@ -244,19 +209,21 @@ impl<'a> Run<'a> {
         go_on: &(dyn Fn() -> bool + Sync),
         effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
+        let basic = |member: &StabilizerName| {
+            kernel.and_then(|kernel| Some((kernel, member.basic_name()?)))
+        };
         let members = &self.grid.stabilizers;
-        let mut outcomes: Vec<Vec<Outcome>> =
-            band.iter().map(|_| Vec::with_capacity(members.len())).collect();
+        let boxed: Vec<_> = members.iter().copied().filter(|it| basic(it).is_none()).collect();
+        let began = Instant::now();
+        let mut boxed = self.of_boxes(&boxed, band, go_on)?;
+        effort.kernel_seconds += began.elapsed().as_secs_f64();
+        let mut outcomes = vec![Vec::with_capacity(members.len()); band.len()];
         for member in members.iter() {
-            let found = match (kernel, member.basic_name()) {
-                (Some(kernel), Some(basic_name)) => {
-                    self.on_lanes(kernel, basic_name, band, go_on, effort)?
-                }
-                _ => self.of_boxes(*member, band, go_on, effort)?,
+            let found = match basic(member) {
+                Some((kernel, name)) => self.on_lanes(kernel, name, band, go_on, effort)?,
+                None => boxed.iter_mut().map(|outcomes| outcomes.remove(0)).collect(),
             };
-            for (outcomes, outcome) in outcomes.iter_mut().zip(found) {
-                outcomes.push(outcome);
-            }
+            outcomes.iter_mut().zip(found).for_each(|(outcomes, found)| outcomes.push(found));
         }
         Ok(outcomes)
     }
@@ -290,35 +257,50 @@ impl<'a> Run<'a> {
         Ok(outcomes)
     }
 
-    /// Outcomes of loops of boxes under `member`.
+    /// Outcomes of loops of boxes, for each cell under each of the `members`.
     fn of_boxes(
         &self,
-        member: StabilizerName,
+        members: &[StabilizerName],
         band: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
-        effort: &mut Workload,
-    ) -> Result<Vec<Outcome>, RunError> {
-        let began = Instant::now();
-        let outcomes = self.shared(band, |cells| self.outcomes(cells, member, go_on));
-        effort.kernel_seconds += began.elapsed().as_secs_f64();
-        outcomes
+    ) -> Result<Vec<Vec<Outcome>>, RunError> {
+        match members {
+            [] => Ok(vec![Vec::new(); band.len()]),
+            _ => self.shared(band, |cells| self.outcomes(cells, members, go_on)),
+        }
     }
 
     fn outcomes(
         &self,
         cells: &[u64],
+        members: &[StabilizerName],
+        go_on: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Option<Vec<Vec<Outcome>>>, RunError> {
+        let bare = cells.iter().map(|cell| self.grid.bare(*cell));
+        let bare = bare.collect::<Result<Vec<_>, _>>()?;
+        let mut all = vec![Vec::with_capacity(members.len()); cells.len()];
+        for member in members {
+            let Some(found) = self.outcomes_under(*member, cells, &bare, go_on)? else {
+                return Ok(None);
+            };
+            all.iter_mut().zip(found).for_each(|(outcomes, found)| outcomes.push(found));
+        }
+        Ok(Some(all))
+    }
+
+    /// Outcomes of cells under `member`, whose scenes are `bare` but for the numbers of its own table.
+    fn outcomes_under(
+        &self,
         member: StabilizerName,
+        cells: &[u64],
+        bare: &[Scene],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Vec<Outcome>>, RunError> {
-        let scenes = cells.iter().map(|cell| self.grid.scene_for(*cell, member));
-        let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
-        let instructions = match &self.method {
-            Method::Kernel(kernel) => Some(kernel.instructions()),
-            Method::Lanes(instructions) => Some(*instructions),
-            Method::Single => None,
-        };
+        let written = self.grid.written(cells, bare, member)?;
+        let scenes = written.as_deref().unwrap_or(bare);
+        let instructions = self.method.instructions();
         let tables: Vec<_> = scenes.iter().map(|it| member.table(it)).collect();
-        let runs = Runs { scenes: &scenes, told: &scenes, tables: &tables, instructions };
+        let runs = Runs { scenes, told: scenes, tables: &tables, instructions };
         let judged = runs.measured::<AllMeasures>(go_on).map_err(|(place, error)| {
             RunError::Cell(self.grid.at(cells[place], error.to_string()))
         })?;
@@ -369,10 +351,9 @@ impl<'a> Run<'a> {
         effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         let began = Instant::now();
+        let members: Vec<_> = self.grid.stabilizers.iter().copied().collect();
         let one = |cell: &u64| -> Result<Option<Vec<Outcome>>, RunError> {
-            let members = self.grid.stabilizers.iter();
-            let outcomes = members.map(|member| self.outcomes(&[*cell], *member, go_on));
-            let outcomes = outcomes.collect::<Result<Option<Vec<_>>, _>>()?;
+            let outcomes = self.outcomes(&[*cell], &members, go_on)?;
             Ok(outcomes.map(|outcomes| outcomes.into_iter().flatten().collect()))
         };
         let cells: Vec<_> = self.pool.install(|| band.par_iter().map(one).collect());

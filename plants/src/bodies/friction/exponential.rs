@@ -22,25 +22,26 @@ impl<T: Scalar> Exponential<T> {
         Self { ratio: none, exponent: none, value: none }
     }
 
-    /// Coefficient `k` of the friction; the earlier ones must have been computed.
+    /// The friction at the start. By itself, for the lanes of an exponential are taken apart, and with them what else is in its
+    /// numbers.
     #[inline(always)]
-    pub(super) fn coefficient(
-        &mut self,
-        law: &Stribeck<T>,
-        velocity: &Polynomial<T>,
-        k: usize,
-    ) -> T {
-        self.ratio[k] = velocity[k] / law.stribeck_velocity;
+    pub(super) fn first(&mut self, law: &Stribeck<T>, velocity: T) -> T {
+        let ratio = velocity / law.stribeck_velocity;
+        let square = ratio * ratio;
+        let value = T::from_lanes(|lane| libm::exp(-square.lane(lane)));
+        (self.ratio[0], self.value[0]) = (ratio, value);
+        law.coulomb + (law.breakaway - law.coulomb) * value
+    }
+
+    /// Coefficient `k` of the friction, not the first; the earlier ones must have been computed.
+    #[inline(always)]
+    pub(super) fn coefficient(&mut self, law: &Stribeck<T>, velocity: T, k: usize) -> T {
+        self.ratio[k] = velocity / law.stribeck_velocity;
         let square = product(&self.ratio, &self.ratio, 0, k);
-        let spread = law.breakaway - law.coulomb;
-        if k == 0 {
-            self.value[0] = T::from_lanes(|lane| libm::exp(-square.lane(lane)));
-            return law.coulomb + spread * self.value[0];
-        }
         self.exponent[k] = T::of(k as f64) * -square;
         let sum = product(&self.exponent, &self.value, 1, k);
         self.value[k] = sum / T::of(k as f64);
-        spread * self.value[k]
+        (law.breakaway - law.coulomb) * self.value[k]
     }
 }
 

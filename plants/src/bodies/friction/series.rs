@@ -23,6 +23,8 @@ pub(super) struct Series<T, const S: usize> {
     pub(super) state: [Polynomial<T>; S],
     /// Magnitude of the friction, N.
     pub(super) friction: Polynomial<T>,
+    /// What it falls by.
+    fall: Exponential<T>,
 }
 
 /// The most that the last terms may amount to, as a share of the largest: half a rounding.
@@ -84,43 +86,47 @@ impl<T: Scalar, const S: usize> System<T, S> {
         force
     }
 
-    /// The series from `state` over a step of `longest` s or less in which they converge, in those lanes `of` in which such
-    /// a step is found, and these lanes. The device slides in the direction `sense`, ±1, or stands still where that is 0.
+    /// Expands `series` from `state` over a step of `longest` s or less in which they converge, in those lanes `of` in which
+    /// such a step is found; returns these lanes. The device slides in the direction `sense`, ±1, or stands still where that is
+    /// 0.
     #[inline(always)]
-    pub(super) fn series(
+    pub(super) fn expand(
         &self,
+        series: &mut Series<T, S>,
         state: &[T; S],
         sense: T,
         longest: T,
         of: T::Mask,
-    ) -> (Series<T, S>, T::Mask) {
+    ) -> T::Mask {
         let sliding = sense.magnitude().above(T::zero());
         let zero = T::zero();
         let loose = if sliding.any() { self.pace(true) } else { zero };
         let held = if sliding.all() { zero } else { self.pace(false) };
-        let mut step = longest.smaller(T::of(1.75) / T::choose(sliding, loose, held));
+        series.step = longest.smaller(T::of(1.75) / T::choose(sliding, loose, held));
         let mut tries = 1;
         loop {
-            let mut series = Series::standing(state, step);
-            self.expand(&mut series, sense, sliding);
+            for (polynomial, &value) in series.state.iter_mut().zip(state) {
+                polynomial[0] = value;
+            }
+            let step = series.step;
+            self.coefficients(series, sense, sliding);
             let found = series.settle(self.law.breakaway, of);
             if tries == TRIES || (found | !of).all() {
-                return (series, found);
+                return found;
             }
             // Out of range. A shorter step makes the high coefficients far smaller; the other lanes do the same again.
-            step = T::choose(found, step, step * T::of(1.0 / 4096.0));
+            series.step = T::choose(found, step, step * T::of(1.0 / 4096.0));
             tries += 1;
         }
     }
 
     /// Computes the coefficients after the first.
     #[inline(always)]
-    fn expand(&self, series: &mut Series<T, S>, sense: T, sliding: T::Mask) {
+    fn coefficients(&self, series: &mut Series<T, S>, sense: T, sliding: T::Mask) {
         let zero = T::zero();
         let speed = series.state[S - 1][0].magnitude();
         let (constant, _) = self.law.constant_above(speed);
         let (varying, at_rest) = (sliding & !constant, !speed.above(zero));
-        let mut law = Exponential::none();
         for k in 0..ORDER {
             let share = series.step / T::of((k + 1) as f64);
             let (coulomb, effort) =
@@ -128,7 +134,12 @@ impl<T: Scalar, const S: usize> System<T, S> {
             let last = if sliding.any() {
                 let mut friction = T::choose(sliding, coulomb, zero);
                 if varying.any() {
-                    let falling = law.coefficient(&self.law, &series.state[S - 1], k);
+                    let (law, fall, speed) = (&self.law, &mut series.fall, series.state[S - 1][k]);
+                    let falling = if k == 0 {
+                        fall.first(law, speed)
+                    } else {
+                        fall.coefficient(law, speed, k)
+                    };
                     friction = T::choose(varying, falling, friction);
                 }
                 series.friction[k] = friction;
@@ -139,6 +150,7 @@ impl<T: Scalar, const S: usize> System<T, S> {
                 let is_start = at_rest & T::Mask::of(k == 0);
                 T::choose(sliding, T::choose(is_start, forwards, gain), zero)
             } else {
+                series.friction[k] = zero;
                 zero
             };
             for row in 0..S - 1 {
@@ -153,13 +165,14 @@ impl<T: Scalar, const S: usize> System<T, S> {
 
 impl<T: Scalar, const S: usize> Series<T, S> {
     #[inline(always)]
-    fn standing(state: &[T; S], step: T) -> Self {
-        let none = [T::zero(); ORDER + 1];
-        let mut series = Self { step, state: [none; S], friction: none };
-        for (polynomial, &value) in series.state.iter_mut().zip(state) {
-            polynomial[0] = value;
+    pub(super) fn none() -> Self {
+        let zero = T::zero();
+        Self {
+            step: zero,
+            state: [[zero; ORDER + 1]; S],
+            friction: [zero; ORDER + 1],
+            fall: Exponential::none(),
         }
-        series
     }
 
     /// Halves the step, which is exact, until the series have converged at its end; the lanes `of` where they have, which
@@ -194,14 +207,14 @@ impl<T: Scalar, const S: usize> Series<T, S> {
 
     #[inline(always)]
     fn converged(&self, friction: T) -> T::Mask {
-        let tail = |first| {
-            let last = self.largest(ORDER - 1, first);
-            !last.above(T::of(TAIL) * self.largest(1, first))
-        };
         let enough = T::of(TAIL) * friction;
-        let mut all = tail(0) & tail(1);
+        let mut all = T::Mask::of(true);
         for coefficient in &self.friction[ORDER - 2..] {
             all = all & !coefficient.magnitude().above(enough);
+        }
+        for first in 0..2 {
+            let (last, largest) = (self.largest(ORDER - 1, first), self.largest(1, first));
+            all = all & !last.above(T::of(TAIL) * largest);
         }
         all
     }

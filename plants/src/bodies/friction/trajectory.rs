@@ -58,12 +58,13 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
             trajectory.log.note(moves, zero, Slip);
         }
         let mut cut = T::Mask::of(false);
+        let mut series = Series::none();
         for _ in 0..PIECES {
             let running = trajectory.remaining.above(zero) & !cut;
             if !running.any() {
                 break;
             }
-            cut = cut | trajectory.piece(running);
+            cut = cut | trajectory.piece(&mut series, running);
         }
         let cut = trajectory.remaining.above(zero);
         if cut.any() {
@@ -95,18 +96,19 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
 
     /// Moves the lanes `running` on to their next event or the end of their step; returns those in which there is no step.
     #[inline(always)]
-    fn piece(&mut self, running: T::Mask) -> T::Mask {
-        let (series, found) = self.system.series(&self.state, self.sense, self.remaining, running);
+    fn piece(&mut self, series: &mut Series<T, S>, running: T::Mask) -> T::Mask {
+        let (state, sense, remaining) = (&self.state, self.sense, self.remaining);
+        let found = self.system.expand(series, state, sense, remaining, running);
         let sticking = found & is_zero(self.sense);
         let sliding = found & !is_zero(self.sense);
         let never = T::of(NEVER);
         let (mut first, mut start, mut floor) = (never, self.sense, T::zero());
         if sticking.any() {
-            (first, start) = self.first_slip(&series, sticking);
+            (first, start) = self.first_slip(series, sticking);
         }
         if sliding.any() {
             let fall;
-            (fall, floor) = self.first_stop(&series, sliding);
+            (fall, floor) = self.first_stop(series, sliding);
             first = T::choose(sliding, fall, first);
         }
         let happens = first.below(never);
@@ -115,7 +117,7 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
         if sliding.any() {
             self.heat = T::choose(sliding, self.heat + series.heat(share), self.heat);
         }
-        self.pass(&series, share, found);
+        self.pass(series, share, found);
         let slips = sticking & happens;
         if slips.any() {
             self.log.note(slips, self.elapsed, Slip);
@@ -135,7 +137,9 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
     fn first_slip(&self, series: &Series<T, S>, sticking: T::Mask) -> (T, T) {
         let force = self.system.force_series(series);
         let breakaway = self.system.law.breakaway;
-        let slip = |sense: T| {
+        let one = T::one();
+        let mut first = [T::of(NEVER); 2];
+        for (first, sense) in first.iter_mut().zip([one, -one]) {
             let mut reserve = force;
             for coefficient in &mut reserve {
                 apart::<T>();
@@ -144,10 +148,9 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
             // A force within a rounding above static friction counts as equal to it: this device was just found to
             // stick.
             reserve[0] = (reserve[0] + breakaway).larger(T::zero());
-            falls(&reserve, sticking)
-        };
-        let one = T::one();
-        let (forwards, back) = (slip(one), slip(-one));
+            *first = falls(&reserve, sticking);
+        }
+        let [forwards, back] = first;
         let is_back = back.below(forwards);
         (T::choose(is_back, back, forwards), T::choose(is_back, -one, one))
     }
