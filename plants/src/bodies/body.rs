@@ -162,7 +162,7 @@ fn increments<R: Scalar>(parts: Impedance<R>, interval: R) -> Matrix3<R> {
     let Impedance { mass: m, damping: b, stiffness: k } = parts;
     let (none, one) = (R::zero(), R::one());
     let rate = [[none, one, none], [-k / m, -b / m, -one / m], [none; 3]];
-    propagation::increments::<R, 3, 2>(Matrix3::from_fn(|row, column| rate[row][column] * interval))
+    propagation::increments::<R, 3, 2>(propagation::scaled(&rate, interval))
 }
 
 /// `increments` with the first entry corrected by the last digits of the scalar, so that the rounding of the others

@@ -96,14 +96,16 @@ fn multiply<R: Scalar, const N: usize, const M: usize>(
     }
 }
 
-/// The matrix product.
+/// The matrix of these rows, times `factor`.
 #[inline(always)]
-pub(super) fn product<R: Scalar, const N: usize>(
-    one: &SMatrix<R, N, N>,
-    other: &SMatrix<R, N, N>,
-) -> SMatrix<R, N, N> {
-    let mut all = *one;
-    multiply::<R, N, N>(one, other, &mut all);
+pub(super) fn scaled<R: Scalar, const N: usize>(rows: &[[R; N]; N], factor: R) -> SMatrix<R, N, N> {
+    let mut all = SMatrix::zeros();
+    for (at, column) in all.data.0.iter_mut().enumerate() {
+        for (row, entry) in rows.iter().zip(column) {
+            apart::<R>();
+            *entry = row[at] * factor;
+        }
+    }
     all
 }
 
@@ -157,7 +159,14 @@ pub(super) fn has_all_digits<T: Scalar>() -> bool {
 /// The rows of `matrix`.
 #[inline(always)]
 pub(super) fn rows<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> [[T; N]; N] {
-    core::array::from_fn(|row| core::array::from_fn(|column| matrix[(row, column)]))
+    let mut all = [[T::zero(); N]; N];
+    for (at, column) in matrix.data.0.iter().enumerate() {
+        for (row, entry) in all.iter_mut().zip(column) {
+            apart::<T>();
+            row[at] = *entry;
+        }
+    }
+    all
 }
 
 /// Each lane's matrix, by rows, rounded to the scalar.

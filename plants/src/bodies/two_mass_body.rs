@@ -5,7 +5,7 @@ use lyapunov_core::{
 };
 use nalgebra::SMatrix;
 
-use super::propagation::{self, by_rows, has_all_digits, product, rows};
+use super::propagation::{self, apart, by_rows, has_all_digits, rows};
 use crate::{Linear, OperatedBody, TwoMassParts};
 
 /// An operator and a device joined by a link, moved exactly over each period; the sample reports the device's motion:
@@ -85,7 +85,12 @@ impl<V: Signal> TwoMassBody<V> {
 /// The gains, of a motion in the scalar's range.
 #[inline(always)]
 fn in_range<T: Scalar>(device: T, maps: Maps<T>) -> Result<Maps<T>, ParameterError> {
-    let finite = maps.iter().flatten().fold(T::Mask::of(true), |all, entry| all & entry.finite());
+    let mut finite = T::Mask::of(true);
+    for row in &maps {
+        for entry in row {
+            finite = finite & entry.finite();
+        }
+    }
     if finite.all() {
         return Ok(maps);
     }
@@ -131,27 +136,28 @@ type Map<R> = SMatrix<R, 5, 5>;
 
 #[inline(always)]
 fn increments<R: Scalar>(parts: TwoMassParts<R>, interval: R) -> Map<R> {
-    let (device, centre) = views(parts);
-    let rate = equations(parts);
-    let gains = propagation::increments::<R, 5, 4>(Map::from_fn(|row, column| {
-        rate[row][column] * interval
-    }));
-    product(&product(&device, &gains), &centre)
+    let rates = propagation::scaled(&equations(parts), interval);
+    of_device(parts, propagation::increments::<R, 5, 4>(rates))
 }
 
-/// From centre to device, and from device to centre: `x_d = X − m_o s / M`, alike for the velocities.
+/// The gains of device and stretch from those of centre and stretch: `x_d = X − m_o s / M`, alike for the velocities.
 #[inline(always)]
-fn views<R: Scalar>(parts: TwoMassParts<R>) -> (Map<R>, Map<R>) {
+fn of_device<R: Scalar>(parts: TwoMassParts<R>, mut gains: Map<R>) -> Map<R> {
     let (operator, device) = (parts.operator.mass, parts.device.mass);
     let share = operator / (operator + device);
-    let view = |share: R| {
-        Map::from_fn(|row, column| match (row, column) {
-            (0, 1) | (2, 3) => share,
-            _ if row == column => R::one(),
-            _ => R::zero(),
-        })
-    };
-    (view(-share), view(share))
+    for column in &mut gains.data.0 {
+        for centre in [0, 2] {
+            apart::<R>();
+            column[centre] += -share * column[centre + 1];
+        }
+    }
+    for centre in [0, 2] {
+        for row in 0..4 {
+            apart::<R>();
+            gains.data.0[centre + 1][row] += gains.data.0[centre][row] * share;
+        }
+    }
+    gains
 }
 
 /// The time derivatives of centre, stretch, their velocities and the held effort by row, as a map of the same.
