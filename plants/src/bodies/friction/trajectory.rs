@@ -136,19 +136,13 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
     #[inline(always)]
     fn first_slip(&self, series: &Series<T, S>, sticking: T::Mask) -> (T, T) {
         let force = self.system.force_series(series);
-        let breakaway = self.system.law.breakaway;
         let one = T::one();
         let mut first = [T::of(NEVER); 2];
         for (first, sense) in first.iter_mut().zip([one, -one]) {
-            let mut reserve = force;
-            for coefficient in &mut reserve {
-                apart::<T>();
-                *coefficient = -sense * *coefficient;
-            }
             // A force within a rounding above static friction counts as equal to it: this device was just found to
             // stick.
-            reserve[0] = (reserve[0] + breakaway).larger(T::zero());
-            *first = falls(&reserve, sticking);
+            let start = -sense * force[0] + self.system.law.breakaway;
+            *first = falls(&force, -sense, start.larger(T::zero()), sticking);
         }
         let [forwards, back] = first;
         let is_back = back.below(forwards);
@@ -159,13 +153,9 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
     #[inline(always)]
     fn first_stop(&self, series: &Series<T, S>, sliding: T::Mask) -> (T, T) {
         let (_, floor) = self.system.law.constant_above(self.state[S - 1].magnitude());
-        let mut above = series.state[S - 1];
-        for coefficient in &mut above {
-            apart::<T>();
-            *coefficient = self.sense * *coefficient;
-        }
-        above[0] -= floor;
-        (falls(&above, sliding), floor)
+        let velocity = &series.state[S - 1];
+        let start = self.sense * velocity[0] - floor;
+        (falls(velocity, self.sense, start, sliding), floor)
     }
 
     /// Ends the sliding of some lanes at rest; in those where the device `never_left` rest it sticks.
@@ -198,17 +188,18 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
     }
 }
 
-/// [`first_fall`] in the lanes `of`, and [`NEVER`] where there is none.
+/// [`first_fall`] of `sign` times `polynomial`, from `start` on instead of its first coefficient, in the lanes `of`; [`NEVER`]
+/// where there is none.
 #[inline(always)]
-fn falls<T: Scalar>(polynomial: &Polynomial<T>, of: T::Mask) -> T {
+fn falls<T: Scalar>(polynomial: &Polynomial<T>, sign: T, start: T, of: T::Mask) -> T {
     let never = T::of(NEVER);
     // Most lanes stay above 0 so surely that this sum is too.
     let mut sum = T::zero();
-    for coefficient in polynomial {
+    for coefficient in &polynomial[1..] {
         apart::<T>();
-        sum += coefficient.smaller(T::zero());
+        sum += (sign * *coefficient).smaller(T::zero());
     }
-    let stays = polynomial[0].above(T::zero()) & (sum + polynomial[0]).above(T::zero());
+    let stays = start.above(T::zero()) & (sum + start).above(T::zero());
     if (stays | !of).all() {
         return never;
     }
@@ -216,6 +207,8 @@ fn falls<T: Scalar>(polynomial: &Polynomial<T>, of: T::Mask) -> T {
         if !of.lane(lane) || stays.lane(lane) {
             return NEVER;
         }
-        first_fall(&polynomial.map(|coefficient| coefficient.lane(lane))).unwrap_or(NEVER)
+        let mut alone = polynomial.map(|coefficient| sign.lane(lane) * coefficient.lane(lane));
+        alone[0] = start.lane(lane);
+        first_fall(&alone).unwrap_or(NEVER)
     })
 }
