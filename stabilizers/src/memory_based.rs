@@ -83,7 +83,7 @@ impl<T: Scalar, const N: usize> MemoryBased<T, N> {
 impl<T, const N: usize> StabilizerExt for MemoryBased<T, N> {}
 
 impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
         let inside = sample.position - self.surface;

@@ -84,30 +84,47 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
         inwards: T::Mask,
         [ahead, now]: [T; 2],
     ) -> [T; 2] {
-        let (zero, cell) = (T::of(0.0), self.cell);
-        let (mut gave, mut gives) = ([zero; N], [zero; N]);
+        let (cell, mut gave, mut gives) = (self.cell, [T::of(0.0); N], [T::of(0.0); N]);
         let (low, high) = (back.smaller(on), back.larger(on));
-        let mut visit = |index: usize, end: T| {
-            let start = cell * T::of(index as f64);
-            let kept = self.forces[index];
-            gave[index] = kept * (high.smaller(end) - low.larger(start)).larger(zero);
-            let written = T::choose(start.below(low), force.smaller(kept), force);
-            let crossed = inwards & start.below(high) & low.below(end);
-            let kept = T::choose(crossed, written, kept);
-            self.forces[index] = kept;
-            gives[index] = kept * (now.smaller(end) - ahead.larger(start)).larger(zero);
-        };
+        let way = Way { low, high, force, inwards, ahead, now };
         for index in 0..N - 1 {
-            visit(index, cell * T::of(index as f64 + 1.0));
+            let ends = [cell * T::of(index as f64), cell * T::of(index as f64 + 1.0)];
+            [gave[index], gives[index]] = way.through(ends, &mut self.forces[index]);
         }
-        visit(N - 1, T::largest()); // the last one has no end
-        [gave, gives].map(side_by_side)
+        // The last one has no end.
+        let ends = [cell * T::of((N - 1) as f64), T::largest()];
+        [gave[N - 1], gives[N - 1]] = way.through(ends, &mut self.forces[N - 1]);
+        [side_by_side(&gave), side_by_side(&gives)]
+    }
+}
+
+/// A way that is gone and a stretch ahead.
+struct Way<T: Scalar> {
+    low: T,
+    high: T,
+    force: T,
+    inwards: T::Mask,
+    ahead: T,
+    now: T,
+}
+
+impl<T: Scalar> Way<T> {
+    /// Writes the way into the cell of the force `kept` from `start` to `end`, and returns what the memory allows there over it and
+    /// over the stretch ahead, J.
+    #[inline(always)]
+    fn through(&self, [start, end]: [T; 2], kept: &mut T) -> [T; 2] {
+        let zero = T::of(0.0);
+        let gave = *kept * (self.high.smaller(end) - self.low.larger(start)).larger(zero);
+        let written = T::choose(start.below(self.low), self.force.smaller(*kept), self.force);
+        let crossed = self.inwards & start.below(self.high) & self.low.below(end);
+        *kept = T::choose(crossed, written, *kept);
+        [gave, *kept * (self.now.smaller(end) - self.ahead.larger(start)).larger(zero)]
     }
 }
 
 /// The sum of all, in eight sums side by side.
 #[inline(always)]
-fn side_by_side<T: Scalar, const N: usize>(terms: [T; N]) -> T {
+fn side_by_side<T: Scalar, const N: usize>(terms: &[T; N]) -> T {
     let zero = T::of(0.0);
     let (eights, rest) = terms.as_chunks::<8>();
     let mut sums = [zero; 8];
@@ -117,14 +134,17 @@ fn side_by_side<T: Scalar, const N: usize>(terms: [T; N]) -> T {
         }
     }
     let [a, b, c, d, e, f, g, h] = sums;
-    let whole = ((a + e) + (c + g)) + ((b + f) + (d + h));
-    rest.iter().fold(whole, |sum, term| sum + *term)
+    let mut all = ((a + e) + (c + g)) + ((b + f) + (d + h));
+    for term in rest {
+        all += *term;
+    }
+    all
 }
 
 impl<T, const N: usize> StabilizerExt for PathMemory<T, N> {}
 
 impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
-    #[inline]
+    #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
         let sound = sample.sound();

@@ -55,6 +55,7 @@ impl<V: Signal, const N: usize> Windowed<V, N> {
     }
 
     /// The slope of the longest line that fits, m per tick.
+    #[inline(always)]
     fn slope(&self, sample: &PortSample<V>) -> V {
         let choose = <V::Scalar as Signal>::choose;
         let endless = V::Scalar::of(f64::INFINITY);
@@ -84,6 +85,7 @@ impl<V: Signal, const N: usize> Windowed<V, N> {
     }
 
     /// The band, widened by what rounding may add.
+    #[inline(always)]
     fn widened(&self, position: V::Scalar, moved: V::Scalar) -> V::Scalar {
         let size = position.magnitude() + moved.magnitude() + self.band;
         // The smallest normal number keeps the interval open around a rest at zero.
@@ -93,7 +95,7 @@ impl<V: Signal, const N: usize> Windowed<V, N> {
 }
 
 impl<V: Signal, const N: usize> VelocityEstimator<V> for Windowed<V, N> {
-    #[inline]
+    #[inline(always)]
     fn velocity(&mut self, sample: &PortSample<V>) -> V {
         let velocity = self.slope(sample).map(|slope| slope / sample.period);
         let window = &mut self.past[..self.ticks];

@@ -46,7 +46,7 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
     }
 
     /// Drops the expired credit, and turns to the slot of this tick.
-    #[inline]
+    #[inline(always)]
     fn expire(&mut self) {
         let zero = T::of(0.0);
         if self.left == 0 {
@@ -57,12 +57,15 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
             }
         }
         self.left -= 1;
-        let window = self.slots.iter().fold(zero, |sum, slot| sum + *slot);
+        let mut window = zero;
+        for slot in &self.slots {
+            window += *slot;
+        }
         self.sum.lower(window);
     }
 
     /// Enters `term` in the slot of this tick.
-    #[inline]
+    #[inline(always)]
     fn enter(&mut self, term: T) {
         if let Some(slot) = self.slots.get_mut(self.slot) {
             *slot = (*slot + term.larger(T::of(0.0))).smaller(T::largest());
@@ -71,26 +74,26 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
 }
 
 impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCredit<T, A, N> {
-    #[inline]
+    #[inline(always)]
     fn zero() -> Self {
         Self { sum: A::zero(), slots: [T::of(0.0); N], slot: 0, ticks: 1, left: 1 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add(&mut self, term: T) {
         self.expire();
         self.enter(term);
         self.sum.add(term);
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_and_raise(&mut self, term: T, most: T) -> T {
         self.expire();
         self.enter(term);
         self.sum.add_and_raise(term, most)
     }
 
-    #[inline]
+    #[inline(always)]
     fn lower(&mut self, most: T) {
         self.sum.lower(most);
     }
@@ -100,13 +103,13 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCr
         *self = Self { ticks, left: ticks, ..Self::zero() };
     }
 
-    #[inline]
+    #[inline(always)]
     fn value(&self) -> T {
         self.sum.value()
     }
 
     // Lanes share their slot: both are of the same tick.
-    #[inline]
+    #[inline(always)]
     fn choose(mask: T::Mask, mut yes: Self, no: Self) -> Self {
         yes.sum = A::choose(mask, yes.sum, no.sum);
         for (slot, other) in yes.slots.iter_mut().zip(no.slots) {
@@ -115,7 +118,7 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCr
         yes
     }
 
-    #[inline]
+    #[inline(always)]
     fn book(&mut self, term: T) -> T::Mask {
         // A tick whose term is left out is a tick as well: credit expires.
         self.expire();
