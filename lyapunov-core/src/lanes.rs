@@ -3,6 +3,8 @@
 //! The `Auto` types are arrays that the compiler vectorises; the `Wide` types use the processor's own vectors. Both
 //! give each lane the bits of the scalar run.
 
+use core::hint::black_box;
+
 pub use simba::simd::{
     AutoF32x4, AutoF32x8, AutoF32x16, AutoF64x4, AutoF64x8, WideF32x8, WideF64x4,
 };
@@ -13,6 +15,31 @@ use simba::simd::{
 };
 
 use crate::{Mask, Scalar, Signal};
+
+/// Stands in a loop over numbers of several lanes, which are vectors by themselves; for one lane it is nothing.
+///
+/// Without it the compiler makes vectors of one lane of neighbouring numbers, gathered and scattered, and takes ten times as long.
+/// Such a loop is written out: folds and maps of arrays, and closures, are not always inlined, and a function that is called
+/// computes lanes on the base set of instructions, whoever calls it.
+///
+/// ```
+/// use lyapunov_core::{Scalar, lanes};
+/// fn energy<T: Scalar>(stiffnesses: &[T; 64], depth: T) -> T {
+///     let mut sum = T::zero();
+///     for stiffness in stiffnesses {
+///         lanes::apart::<T>();
+///         sum += *stiffness * depth * depth;
+///     }
+///     sum * T::of(0.5)
+/// }
+/// assert_eq!(energy(&[2.0; 64], 0.5), 16.0);
+/// ```
+#[inline(always)]
+pub fn apart<T: Scalar>() {
+    if T::LANES > 1 {
+        black_box(());
+    }
+}
 
 macro_rules! mask {
     ($($mask:ty, $like:ty);+ $(;)?) => {$(

@@ -1,5 +1,6 @@
 //! Forces on the way out no larger than those on the way in.
 
+use lyapunov_core::lanes::apart;
 use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Snapshot, Stabilizer,
 };
@@ -88,6 +89,7 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
         let (low, high) = (back.smaller(on), back.larger(on));
         let way = Way { low, high, force, inwards, ahead, now };
         for index in 0..N - 1 {
+            apart::<T>();
             let ends = [cell * T::of(index as f64), cell * T::of(index as f64 + 1.0)];
             [gave[index], gives[index]] = way.through(ends, &mut self.forces[index]);
         }
@@ -130,6 +132,7 @@ fn side_by_side<T: Scalar, const N: usize>(terms: &[T; N]) -> T {
     let mut sums = [zero; 8];
     for eight in eights {
         for (sum, term) in sums.iter_mut().zip(eight) {
+            apart::<T>();
             *sum += *term;
         }
     }

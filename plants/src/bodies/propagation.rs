@@ -2,6 +2,7 @@
 
 use core::hint::black_box;
 
+use lyapunov_core::lanes::apart;
 use lyapunov_core::{Mask, Scalar};
 use nalgebra::SMatrix;
 
@@ -22,10 +23,9 @@ pub fn held_input<R: Scalar, const N: usize>(matrix: SMatrix<R, N, N>) -> SMatri
 /// [`held_input`] of a matrix whose rows from `M` on are those of an input, all zero, with the same digits for less work.
 #[inline(always)]
 pub(super) fn increments<R: Scalar, const N: usize, const M: usize>(
-    matrix: SMatrix<R, N, N>,
+    mut scaled: SMatrix<R, N, N>,
 ) -> SMatrix<R, N, N> {
     let (half, none, one) = (R::of(0.5), R::zero(), R::one());
-    let mut scaled = matrix;
     // In each lane.
     let (mut halvings, mut most) = (none, none);
     loop {
@@ -60,9 +60,9 @@ pub(super) fn increments<R: Scalar, const N: usize, const M: usize>(
     }
     let mut done = none;
     while done.below(most).any() {
-        let (open, before, two) = (done.below(halvings), next, R::of(2.0));
+        let (open, two) = (done.below(halvings), R::of(2.0));
         let square = &mut polynomial;
-        multiply::<R, N, M>(&before, &before, square);
+        multiply::<R, N, M>(&next, &next, square);
         for (to, square) in next.data.0.iter_mut().zip(&square.data.0) {
             for (entry, square) in to[..M].iter_mut().zip(square) {
                 apart::<R>();
@@ -134,20 +134,6 @@ fn size<R: Scalar, const N: usize>(matrix: &SMatrix<R, N, N>) -> R {
         largest = sum.larger(largest);
     }
     largest
-}
-
-/// Stands in a loop over numbers of several lanes, which are vectors by themselves.
-///
-/// Without it the compiler makes vectors of one lane of neighbouring numbers, gathered and scattered, and takes ten times
-/// as long.
-///
-/// Such a loop is written out: the library's folds and maps of arrays are not always inlined, and what is not computes
-/// lanes on the base set of instructions.
-#[inline(always)]
-pub(super) fn apart<T: Scalar>() {
-    if T::LANES > 1 {
-        black_box(());
-    }
 }
 
 /// Whether the lanes have all digits of construction, so that it may compute them at once.

@@ -1,11 +1,12 @@
 //! Operator and device as two masses with a link.
 
+use lyapunov_core::lanes::apart;
 use lyapunov_core::{
     HeldTick, Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
 };
 use nalgebra::SMatrix;
 
-use super::propagation::{self, apart, by_rows, has_all_digits, rows};
+use super::propagation::{self, by_rows, has_all_digits, rows};
 use crate::{Linear, OperatedBody, TwoMassParts};
 
 /// An operator and a device joined by a link, moved exactly over each period; the sample reports the device's motion:

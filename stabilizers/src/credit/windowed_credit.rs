@@ -1,5 +1,6 @@
 //! Windowed credit: credit that expires.
 
+use lyapunov_core::lanes::apart;
 use lyapunov_core::{Accumulator, ParameterError, Requirement, Scalar, Snapshot};
 use nalgebra::SVector;
 
@@ -59,6 +60,7 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> WindowedCredit<T, A, N> {
         self.left -= 1;
         let mut window = zero;
         for slot in &self.slots {
+            apart::<T>();
             window += *slot;
         }
         self.sum.lower(window);
@@ -113,6 +115,7 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCr
     fn choose(mask: T::Mask, mut yes: Self, no: Self) -> Self {
         yes.sum = A::choose(mask, yes.sum, no.sum);
         for (slot, other) in yes.slots.iter_mut().zip(no.slots) {
+            apart::<T>();
             *slot = T::choose(mask, *slot, other);
         }
         yes

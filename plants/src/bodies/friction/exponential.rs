@@ -1,10 +1,10 @@
 //! Power series of the friction of a changing velocity.
 
 use lyapunov_core::Scalar;
+use lyapunov_core::lanes::apart;
 
 use super::Stribeck;
 use super::root::{ORDER, Polynomial};
-use crate::bodies::propagation::apart;
 
 /// The power series of `q = exp(−y²)`, from `k q_k = Σ j g_j q_(k−j)` for `q = exp g` (Knuth, The Art of Computer
 /// Programming, volume 2, section 4.7).

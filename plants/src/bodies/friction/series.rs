@@ -1,11 +1,11 @@
 //! Motion over a step as a polynomial, by Taylor's method.
 
+use lyapunov_core::lanes::apart;
 use lyapunov_core::{Mask, Scalar};
 
 use super::Stribeck;
 use super::exponential::{Exponential, product};
 use super::root::{ORDER, Polynomial};
-use crate::bodies::propagation::apart;
 
 /// A linear body under a held effort, with friction on its device, each lane by itself.
 pub(super) struct System<T, const S: usize> {

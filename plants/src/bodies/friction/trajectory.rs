@@ -1,12 +1,12 @@
 //! Motion through one period, from event to event.
 
+use lyapunov_core::lanes::apart;
 use lyapunov_core::{Mask, Scalar};
 
 use super::Transition::{Cut, Reverse, Slip, Stick};
 use super::root::{Polynomial, first_fall};
 use super::series::{Series, System};
 use super::transition::Transitions;
-use crate::bodies::propagation::apart;
 
 /// Most pieces of a period.
 const PIECES: usize = 1024;
