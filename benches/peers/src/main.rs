@@ -86,6 +86,9 @@ fn own_rows() -> Vec<Row> {
     let mut rows = vec![Row::compiled(Origin::Ours, "exact", Setting::None, move |at| {
         ours::exact(at).expect(valid);
     })];
+    rows.push(Row::side_by_side(Origin::Ours, "exact, a lane of 8", ours::LANES, move |at| {
+        ours::exact_on_lanes(at).expect(valid);
+    }));
     rows.extend(Row::stepped(Origin::Ours, "RK4 generic", STEPS, move |at, steps| {
         ours::runge_kutta_4(at, steps).expect(valid);
     }));

@@ -60,7 +60,17 @@ impl Row {
         setting: Setting,
         run: impl Fn(&mut Positions) + 'static,
     ) -> Self {
-        Self { origin, method: method.into(), setting, run: repeated(run) }
+        Self { origin, method: method.into(), setting, run: repeated(run, 1) }
+    }
+
+    /// The same for a method that runs several `rollouts` at once; its time is that of one.
+    pub(crate) fn side_by_side(
+        origin: Origin,
+        method: &str,
+        rollouts: u32,
+        run: impl Fn(&mut Positions) + 'static,
+    ) -> Self {
+        Self { origin, method: method.into(), setting: Setting::None, run: repeated(run, rollouts) }
     }
 
     /// Rows of a method at equal steps.
@@ -89,8 +99,9 @@ impl Row {
     }
 }
 
-/// `run` repeated often enough that reading the clock does not matter; the first call runs once, to find how often.
-fn repeated(run: impl Fn(&mut Positions) + 'static) -> Run {
+/// `run` of so many `rollouts`, repeated often enough that reading the clock does not matter; the first call runs once, to find how
+/// often.
+fn repeated(run: impl Fn(&mut Positions) + 'static, rollouts: u32) -> Run {
     const BLOCK: Duration = Duration::from_millis(1);
     let mut times = 1;
     Box::new(move |positions| {
@@ -100,7 +111,7 @@ fn repeated(run: impl Fn(&mut Positions) + 'static) -> Run {
         }
         let once = start.elapsed().as_secs_f64() / f64::from(times);
         times = (BLOCK.as_secs_f64() / once).ceil().clamp(1.0, 1e4) as u32;
-        Ok(once * 1e9 / DURATION)
+        Ok(once * 1e9 / DURATION / f64::from(rollouts))
     })
 }
 

@@ -137,19 +137,17 @@ pub(crate) fn impedance_increments<T: Scalar>(parts: Impedance<T>, interval: T) 
     if T::LANES == 1 || !has_all_digits::<T>() {
         return lane_by_lane(parts, interval);
     }
-    let [position, velocity, _] = rows(&increments(parts, interval));
-    [position, velocity]
+    rows(&increments(parts, interval))
 }
 
 /// The same gains, bit for bit, by one function for the lanes of all scalars. It is small, and outside of a loop on lanes faster:
 /// lanes are slow without the instructions of such a loop.
 fn lane_by_lane<T: Scalar>(parts: Impedance<T>, interval: T) -> [[T; 3]; 2] {
-    let [position, velocity, _] = by_rows(|lane| {
+    by_rows(|lane| {
         let parts = parts.map(|number| number.real(lane));
         let increments = out_of_line(parts, interval.real(lane));
         if has_all_digits::<T>() { increments } else { keeping_area::<T>(increments) }
-    });
-    [position, velocity]
+    })
 }
 
 #[inline(never)]

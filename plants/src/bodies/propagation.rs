@@ -142,10 +142,12 @@ pub(super) fn has_all_digits<T: Scalar>() -> bool {
     T::epsilon().real(0) == T::Real::epsilon()
 }
 
-/// The rows of `matrix`.
+/// The first `M` rows of `matrix`.
 #[inline(always)]
-pub(super) fn rows<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> [[T; N]; N] {
-    let mut all = [[T::zero(); N]; N];
+pub(super) fn rows<T: Scalar, const N: usize, const M: usize>(
+    matrix: &SMatrix<T, N, N>,
+) -> [[T; N]; M] {
+    let mut all = [[T::zero(); N]; M];
     for (at, column) in matrix.data.0.iter().enumerate() {
         for (row, entry) in all.iter_mut().zip(column) {
             apart::<T>();
@@ -155,19 +157,21 @@ pub(super) fn rows<T: Scalar, const N: usize>(matrix: &SMatrix<T, N, N>) -> [[T;
     all
 }
 
-/// Each lane's matrix, by rows, rounded to the scalar.
-pub(super) fn by_rows<T: Scalar, const N: usize>(
+/// The first `M` rows of each lane's matrix, rounded to the scalar.
+pub(super) fn by_rows<T: Scalar, const N: usize, const M: usize>(
     matrix: impl Fn(usize) -> SMatrix<T::Real, N, N>,
-) -> [[T; N]; N] {
-    let mut all = SMatrix::<T, N, N>::zeros();
-    // Counts that the compiler does not know keep it from writing both loops out, as entries times lanes times lanes.
+) -> [[T; N]; M] {
+    let mut all = [[T::zero(); N]; M];
+    // Counts that the compiler does not know keep it from writing the loops out, as entries times lanes times lanes.
     for lane in 0..black_box(T::LANES) {
         let matrix = matrix(lane);
-        let entries = all.as_mut_slice().iter_mut().zip(matrix.as_slice());
-        for (entry, number) in entries.take(black_box(N * N)) {
-            let others = *entry;
-            *entry = T::from_reals(|at| if at == lane { *number } else { others.real(at) });
+        for (column, numbers) in matrix.data.0.iter().take(black_box(N)).enumerate() {
+            for (row, number) in all.iter_mut().zip(numbers).take(black_box(M)) {
+                let others = row[column];
+                row[column] =
+                    T::from_reals(|at| if at == lane { *number } else { others.real(at) });
+            }
         }
     }
-    rows(&all)
+    all
 }

@@ -116,15 +116,12 @@ pub(crate) fn two_mass_increments<T: Scalar>(parts: TwoMassParts<T>, interval: T
     if T::LANES == 1 || !has_all_digits::<T>() {
         return lane_by_lane(parts, interval);
     }
-    let [position, stretch, velocity, stretching, _] = rows(&increments(parts, interval));
-    [position, stretch, velocity, stretching]
+    rows(&increments(parts, interval))
 }
 
 /// The same gains, bit for bit, by one function for the lanes of all scalars; for the reasons of [`Body`](crate::Body).
 fn lane_by_lane<T: Scalar>(parts: TwoMassParts<T>, interval: T) -> Maps<T> {
-    let [position, stretch, velocity, stretching, _] =
-        by_rows(|lane| out_of_line(parts.map(|number| number.real(lane)), interval.real(lane)));
-    [position, stretch, velocity, stretching]
+    by_rows(|lane| out_of_line(parts.map(|number| number.real(lane)), interval.real(lane)))
 }
 
 #[inline(never)]
