@@ -79,7 +79,12 @@ macro_rules! lanes {
 
             #[inline(always)]
             fn from_lanes(mut value: impl FnMut(usize) -> f64) -> Self {
-                Self::from(core::array::from_fn::<$real, $count, _>(|lane| value(lane) as $real))
+                // Written out: a function of the library that fills arrays is not always inlined.
+                let mut all = [0.0; $count];
+                for (lane, number) in all.iter_mut().enumerate() {
+                    *number = value(lane) as $real;
+                }
+                Self::from(all)
             }
 
             #[inline(always)]

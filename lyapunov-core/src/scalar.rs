@@ -27,6 +27,7 @@ pub trait Mask:
     fn all(self) -> bool;
 
     /// Whether at least one lane is true.
+    #[inline(always)]
     fn any(self) -> bool {
         !(!self).all()
     }

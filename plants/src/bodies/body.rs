@@ -47,6 +47,11 @@ struct Row<T> {
 
 impl<T: Scalar> Row<T> {
     #[inline(always)]
+    fn of([deflection, velocity, effort]: [T; 3]) -> Self {
+        Self { deflection, velocity, effort }
+    }
+
+    #[inline(always)]
     fn finite(&self) -> T::Mask {
         self.deflection.finite() & self.velocity.finite() & self.effort.finite()
     }
@@ -110,8 +115,11 @@ fn checked<T: Scalar>(parts: Impedance<T>) -> Result<Impedance<T>, ParameterErro
 
 /// The gains by row, of a motion in the scalar's range.
 #[inline(always)]
-fn in_range<T: Scalar>(mass: T, gains: [[T; 3]; 2]) -> Result<[Row<T>; 2], ParameterError> {
-    let rows = gains.map(|[deflection, velocity, effort]| Row { deflection, velocity, effort });
+fn in_range<T: Scalar>(
+    mass: T,
+    [position, velocity]: [[T; 3]; 2],
+) -> Result<[Row<T>; 2], ParameterError> {
+    let rows = [Row::of(position), Row::of(velocity)];
     let finite = rows[0].finite() & rows[1].finite();
     if finite.all() {
         return Ok(rows);

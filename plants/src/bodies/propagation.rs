@@ -43,18 +43,19 @@ pub(super) fn increments<R: Scalar, const N: usize, const M: usize>(
     }
     let (mut polynomial, mut next) = (SMatrix::zeros(), scaled);
     for share in (2..=degree::<R>()).rev().map(|degree| R::of(degree.into())) {
-        for (column, (to, from)) in polynomial.data.0.iter_mut().zip(&next.data.0).enumerate() {
-            for (row, (to, from)) in to[..M].iter_mut().zip(from).enumerate() {
+        for column in 0..N {
+            for row in 0..M {
                 apart::<R>();
-                *to = if row == column { one } else { none } + *from / share;
+                let unit = if row == column { one } else { none };
+                polynomial.data.0[column][row] = unit + next.data.0[column][row] / share;
             }
         }
         multiply::<R, N, M>(&scaled, &polynomial, &mut next);
         // The rows of an input are those of the identity.
-        for (to, from) in next.data.0[M..].iter_mut().zip(&scaled.data.0[M..]) {
-            for (to, from) in to[..M].iter_mut().zip(from) {
+        for column in M..N {
+            for row in 0..M {
                 apart::<R>();
-                *to += *from;
+                next.data.0[column][row] += scaled.data.0[column][row];
             }
         }
     }
@@ -63,10 +64,12 @@ pub(super) fn increments<R: Scalar, const N: usize, const M: usize>(
         let (open, two) = (done.below(halvings), R::of(2.0));
         let square = &mut polynomial;
         multiply::<R, N, M>(&next, &next, square);
-        for (to, square) in next.data.0.iter_mut().zip(&square.data.0) {
-            for (entry, square) in to[..M].iter_mut().zip(square) {
+        for column in 0..N {
+            for row in 0..M {
                 apart::<R>();
-                *entry = R::choose(open, *entry * two + *square, *entry);
+                let entry = next.data.0[column][row];
+                let doubled = entry * two + square.data.0[column][row];
+                next.data.0[column][row] = R::choose(open, doubled, entry);
             }
         }
         done += one;
@@ -84,14 +87,14 @@ fn multiply<R: Scalar, const N: usize, const M: usize>(
     other: &SMatrix<R, N, N>,
     all: &mut SMatrix<R, N, N>,
 ) {
-    for (to, factors) in all.data.0.iter_mut().zip(&other.data.0) {
-        for (row, to) in to[..M].iter_mut().enumerate() {
+    for column in 0..N {
+        for row in 0..M {
             apart::<R>();
-            let mut sum = one.data.0[0][row] * factors[0];
+            let mut sum = one.data.0[0][row] * other.data.0[column][0];
             for at in 1..M {
-                sum += one.data.0[at][row] * factors[at];
+                sum += one.data.0[at][row] * other.data.0[column][at];
             }
-            *to = sum;
+            all.data.0[column][row] = sum;
         }
     }
 }
@@ -100,10 +103,10 @@ fn multiply<R: Scalar, const N: usize, const M: usize>(
 #[inline(always)]
 pub(super) fn scaled<R: Scalar, const N: usize>(rows: &[[R; N]; N], factor: R) -> SMatrix<R, N, N> {
     let mut all = SMatrix::zeros();
-    for (at, column) in all.data.0.iter_mut().enumerate() {
-        for (row, entry) in rows.iter().zip(column) {
+    for column in 0..N {
+        for row in 0..N {
             apart::<R>();
-            *entry = row[at] * factor;
+            all.data.0[column][row] = rows[row][column] * factor;
         }
     }
     all
@@ -148,10 +151,10 @@ pub(super) fn rows<T: Scalar, const N: usize, const M: usize>(
     matrix: &SMatrix<T, N, N>,
 ) -> [[T; N]; M] {
     let mut all = [[T::zero(); N]; M];
-    for (at, column) in matrix.data.0.iter().enumerate() {
-        for (row, entry) in all.iter_mut().zip(column) {
+    for column in 0..N {
+        for row in 0..M {
             apart::<T>();
-            row[at] = *entry;
+            all[row][column] = matrix.data.0[column][row];
         }
     }
     all

@@ -52,6 +52,7 @@ impl Trace {
     }
 
     /// Adds one more tick, unless the run is decided.
+    #[inline]
     pub fn push(&mut self, point: Point) {
         if self.is_decided() {
             return;
