@@ -1,5 +1,7 @@
 //! Exact motion of a linear body under a held input.
 
+#![expect(clippy::needless_range_loop, reason = "a zip of rows is not always inlined")]
+
 use core::hint::black_box;
 
 use lyapunov_core::lanes::apart;
@@ -80,7 +82,6 @@ pub(super) fn increments<R: Scalar, const N: usize, const M: usize>(
 /// The first `M` rows of a matrix product, of factors whose other rows count as zero, into `all`. That of nalgebra is not always
 /// inlined, and so computes lanes on the base set of instructions; and the compiler finds the vectors of lanes between a read and a
 /// write.
-#[expect(clippy::needless_range_loop, reason = "a zip of columns and factors takes twice as long")]
 #[inline(always)]
 fn multiply<R: Scalar, const N: usize, const M: usize>(
     one: &SMatrix<R, N, N>,
