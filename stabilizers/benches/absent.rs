@@ -14,8 +14,8 @@ use lyapunov_core::{
 };
 use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt, WatchdogTimes};
 
-/// Lengths of two runs; the difference of their instructions is that of their ticks.
-const TICKS: [usize; 2] = [2_000, 12_000];
+/// Lengths of two runs; the difference of their instructions is that of their ticks, and a hundred or so of what else a process does.
+const TICKS: [usize; 2] = [2_000, 202_000];
 
 /// All that a loop of one's own may have in its step: readings, a watched stabilizer, a meter, a ring.
 #[inline(never)]
