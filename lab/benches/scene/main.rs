@@ -28,7 +28,7 @@ operator.stiffness = 50.0
 device = { mass = 0.2, damping = 0.001 }
 initial = { position = -0.004 }
 environment.wall = { stiffness = 2000.0, damping = 1.0 }
-stabilizer.popc = {}
+stabilizer.popc = { damping_cap = 0.5 }
 "#;
 
 const TWO: &str = "
