@@ -16,10 +16,10 @@ use simba::simd::{
 
 use crate::{Mask, Scalar, Signal};
 
-/// Stands in a loop over numbers of several lanes, which are vectors by themselves; for one lane it is nothing.
+/// Mark in a loop over numbers of several lanes, which are vectors by themselves; for one lane it is nothing.
 ///
-/// Without it the compiler makes vectors of one lane of neighbouring numbers, gathered and scattered, and takes ten times as long.
-/// Such a loop is written out: folds and maps of arrays, and closures, are not always inlined, and a function that is called
+/// Without it the compiler may make vectors of one lane of neighbouring numbers, gathered and scattered, and take several times as
+/// long. Such a loop is written out: folds and maps of arrays, and closures, are not always inlined, and a function that is called
 /// computes lanes on the base set of instructions, whoever calls it.
 ///
 /// ```

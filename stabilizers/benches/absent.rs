@@ -14,7 +14,8 @@ use lyapunov_core::{
 };
 use lyapunov_stabilizers::{DampingLimit, Popc, StabilizerExt, WatchdogTimes};
 
-/// Lengths of two runs; the difference of their instructions is that of their ticks, and a hundred or so of what else a process does.
+/// Lengths of two runs; the difference of their instructions is that of their ticks. So long that the hundred or so in which the
+/// rest of two processes differs do not show.
 const TICKS: [usize; 2] = [2_000, 202_000];
 
 /// All that a loop of one's own may have in its step: readings, a watched stabilizer, a meter, a ring.

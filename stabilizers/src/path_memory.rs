@@ -36,7 +36,8 @@ use nalgebra::SVector;
 /// end, the smallest force of its loading bounds; before the surface nothing is bounded.
 ///
 /// Each tick visits all cells once, several at a time where the processor has vectors, so that it takes the same time
-/// wherever the motion is (`benches/stabilizers` measures it). Take cells of about the displacement of a period: larger ones give less back, smaller ones cost time.
+/// wherever the motion is (`benches/stabilizers` measures it). Take cells of about the displacement of a period: larger ones
+/// give less back, smaller ones cost time.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;

@@ -189,34 +189,24 @@ impl Grid {
         })
     }
 
-    /// The scene of a cell under the stabilizer that it names.
+    /// The scene of a cell, without the numbers that axes write into the table of a stabilizer that the scene does not name.
     ///
     /// # Errors
     /// Two values that make no scene together.
     pub fn scene_of(&self, cell: u64) -> Result<Scene, GridError> {
-        let own = self.scene.stabilizer.and_then(|own| own.name().parse().ok());
-        match own {
-            Some(own) => self.scene_for(cell, own),
-            None => self.bare(cell),
-        }
+        let scene = self.variation.scene(&self.values(cell).map(Some))?;
+        scene.map_err(|reason| self.at(cell, reason))
     }
 
-    /// The scene of a cell under `member`: a number of a stabilizer's table counts for that stabilizer only.
-    ///
-    /// # Errors
-    /// Two values that make no scene together.
-    pub fn scene_for(&self, cell: u64, member: StabilizerName) -> Result<Scene, GridError> {
-        Ok(self.variation.under(self.bare(cell)?, member, &self.values(cell))?)
-    }
-
-    /// The scenes of cells under `member`, from those that are alike for all: none if its table has no number of its own on an axis.
+    /// The scenes of cells under `member`, made from their [`scene_of`](Self::scene_of); none where no axis is over its table, so that
+    /// those serve.
     ///
     /// # Errors
     /// A value that the table does not allow.
     pub(super) fn written(
         &self,
         cells: &[u64],
-        bare: &[Scene],
+        scenes: &[Scene],
         member: StabilizerName,
     ) -> Result<Option<Vec<Scene>>, GridError> {
         if (0..2).all(|which| self.member(which) != Some(member)) {
@@ -225,16 +215,7 @@ impl Grid {
         let under = |(cell, scene): (&u64, &Scene)| {
             self.variation.under(scene.clone(), member, &self.values(*cell))
         };
-        Ok(Some(cells.iter().zip(bare).map(under).collect::<Result<_, _>>()?))
-    }
-
-    /// The scene of a cell but for the numbers of a stabilizer's table that counts for that stabilizer only.
-    ///
-    /// # Errors
-    /// Two values that make no scene together.
-    pub(super) fn bare(&self, cell: u64) -> Result<Scene, GridError> {
-        let scene = self.variation.scene(&self.values(cell).map(Some))?;
-        scene.map_err(|reason| self.at(cell, reason))
+        Ok(Some(cells.iter().zip(scenes).map(under).collect::<Result<_, _>>()?))
     }
 
     /// The stabilizer whose table an axis is over.

@@ -213,15 +213,16 @@ impl<'a> Run<'a> {
             kernel.and_then(|kernel| Some((kernel, member.basic_name()?)))
         };
         let members = &self.grid.stabilizers;
-        let boxed: Vec<_> = members.iter().copied().filter(|it| basic(it).is_none()).collect();
+        let others: Vec<_> = members.iter().copied().filter(|it| basic(it).is_none()).collect();
         let began = Instant::now();
-        let mut boxed = self.of_boxes(&boxed, band, go_on)?;
+        let boxed = self.of_boxes(&others, band, go_on)?;
+        let mut boxed: Vec<_> = boxed.into_iter().map(Vec::into_iter).collect();
         effort.kernel_seconds += began.elapsed().as_secs_f64();
         let mut outcomes = vec![Vec::with_capacity(members.len()); band.len()];
         for member in members.iter() {
             let found = match basic(member) {
                 Some((kernel, name)) => self.on_lanes(kernel, name, band, go_on, effort)?,
-                None => boxed.iter_mut().map(|outcomes| outcomes.remove(0)).collect(),
+                None => boxed.iter_mut().filter_map(Iterator::next).collect(),
             };
             outcomes.iter_mut().zip(found).for_each(|(outcomes, found)| outcomes.push(found));
         }
@@ -276,11 +277,11 @@ impl<'a> Run<'a> {
         members: &[StabilizerName],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Vec<Vec<Outcome>>>, RunError> {
-        let bare = cells.iter().map(|cell| self.grid.bare(*cell));
-        let bare = bare.collect::<Result<Vec<_>, _>>()?;
+        let scenes = cells.iter().map(|cell| self.grid.scene_of(*cell));
+        let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
         let mut all = vec![Vec::with_capacity(members.len()); cells.len()];
         for member in members {
-            let Some(found) = self.outcomes_under(*member, cells, &bare, go_on)? else {
+            let Some(found) = self.outcomes_under(*member, cells, &scenes, go_on)? else {
                 return Ok(None);
             };
             all.iter_mut().zip(found).for_each(|(outcomes, found)| outcomes.push(found));
@@ -288,16 +289,16 @@ impl<'a> Run<'a> {
         Ok(Some(all))
     }
 
-    /// Outcomes of cells under `member`, whose scenes are `bare` but for the numbers of its own table.
+    /// Outcomes of cells of `scenes` under `member`, into whose table an axis may write.
     fn outcomes_under(
         &self,
         member: StabilizerName,
         cells: &[u64],
-        bare: &[Scene],
+        scenes: &[Scene],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Vec<Outcome>>, RunError> {
-        let written = self.grid.written(cells, bare, member)?;
-        let scenes = written.as_deref().unwrap_or(bare);
+        let written = self.grid.written(cells, scenes, member)?;
+        let scenes = written.as_deref().unwrap_or(scenes);
         let instructions = self.method.instructions();
         let tables: Vec<_> = scenes.iter().map(|it| member.table(it)).collect();
         let runs = Runs { scenes, told: scenes, tables: &tables, instructions };

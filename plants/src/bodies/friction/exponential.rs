@@ -22,8 +22,8 @@ impl<T: Scalar> Exponential<T> {
         Self { ratio: none, exponent: none, value: none }
     }
 
-    /// The friction at the start. By itself, for the lanes of an exponential are taken apart, and with them what else is in its
-    /// numbers.
+    /// The friction at the start. A function of its own: `exp` runs lane by lane, and beside it the compiler would split the other
+    /// numbers into lanes too.
     #[inline(always)]
     pub(super) fn first(&mut self, law: &Stribeck<T>, velocity: T) -> T {
         let ratio = velocity / law.stribeck_velocity;
