@@ -69,7 +69,7 @@ impl Requirement {
     /// constructor.
     #[inline(never)]
     fn missed<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
-        if self.surely_holds(value) {
+        if T::LANES > 1 && self.surely_holds(value) {
             return None;
         }
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))

@@ -83,17 +83,17 @@ impl<V: Signal> TwoMassBody<V> {
     }
 }
 
-/// The gains, of a motion in the scalar's range.
+/// Whether the gains are those of a motion in the scalar's range.
 #[inline(always)]
-fn in_range<T: Scalar>(device: T, maps: Maps<T>) -> Result<Maps<T>, ParameterError> {
+fn in_range<T: Scalar>(device: T, maps: &Maps<T>) -> Result<(), ParameterError> {
     let mut finite = T::Mask::of(true);
-    for row in &maps {
+    for row in maps {
         for entry in row {
             finite = finite & entry.finite();
         }
     }
     if finite.all() {
-        return Ok(maps);
+        return Ok(());
     }
     let lane = (0..T::LANES).find(|&lane| !finite.lane(lane)).unwrap_or_default();
     let (parameter, value) = ("device.mass", device.lane(lane));
@@ -107,7 +107,9 @@ fn maps_lane_by_lane<T: Scalar>(
     interval: T,
 ) -> Result<Maps<T>, ParameterError> {
     let parts = parts.checked()?;
-    in_range(parts.device.mass, lane_by_lane(parts, interval))
+    let maps = lane_by_lane(parts, interval);
+    in_range(parts.device.mass, &maps)?;
+    Ok(maps)
 }
 
 /// The gains of device, stretch and their velocities over `interval`; nothing is checked.
@@ -230,7 +232,9 @@ impl<V: Signal> OperatedBody<V> for TwoMassBody<V> {
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
         let parts = parts.checked()?;
-        self.maps = in_range(parts.device.mass, two_mass_increments(parts, interval))?;
+        let maps = two_mass_increments(parts, interval);
+        in_range(parts.device.mass, &maps)?;
+        self.maps = maps;
         self.period = interval;
         Ok(())
     }
