@@ -75,8 +75,8 @@ impl Requirement {
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
     }
 
-    /// Whether all lanes are right; of limits and requirements with a number it is not known. All lanes at once, for loops that change
-    /// a parameter on each tick.
+    /// Quick answer for all lanes at once, for loops that change a parameter on each tick: true only if every lane is right, and
+    /// false for limits and requirements with a number.
     #[inline(always)]
     fn surely_holds<T: Scalar>(self, value: T) -> bool {
         let none = T::zero();

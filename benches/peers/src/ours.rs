@@ -1,13 +1,12 @@
 //! Rows of this library: plants and ports composed by type.
 
-use lyapunov::lanes::{AutoF64x8, apart};
 use lyapunov::{
     OnePort, ParameterError, Plant, Scalar,
     bodies::{Body, Impedance, IntegratedPlant},
     environments::Wall,
     integrators::{Oscillator, RungeKuttaNystrom4},
+    lanes::AutoF64x8,
 };
-
 use pulp::{Arch, NullaryFnOnce};
 
 use crate::scene::{
@@ -64,7 +63,6 @@ impl NullaryFnOnce for SideBySide<'_> {
         let mut kept = [none; PERIODS + 1];
         rollout(&mut kept, Body::new(hand(), period)?.starting(start, none))?;
         for (at, kept) in self.positions.iter_mut().zip(&kept) {
-            apart::<AutoF64x8>();
             *at = kept.lane(AutoF64x8::LANES - 1);
         }
         Ok(())

@@ -1,5 +1,7 @@
 //! Shares of environment and controller in the applied force.
 
+use std::collections::VecDeque;
+
 use lyapunov::{Scalar, Signal};
 
 use crate::files::Scene;
@@ -20,26 +22,20 @@ pub(crate) struct Split<V> {
 #[derive(Clone, Debug)]
 pub(crate) struct Share<V: Signal> {
     limit: V::Scalar,
-    /// The forces on their way, in a ring.
-    waiting: Vec<V>,
-    /// The place of the one that is due.
-    due: usize,
+    waiting: VecDeque<V>,
 }
 
 impl<V: Signal> Share<V> {
     /// The shares of forces that act `ticks` late, no larger than `limit` along any axis.
     pub(crate) fn late(ticks: usize, limit: V::Scalar) -> Self {
-        Self { limit, waiting: vec![V::zero(); ticks], due: 0 }
+        Self { limit, waiting: VecDeque::from(vec![V::zero(); ticks]) }
     }
 
     /// Splits the applied force, of which the environment gave `environment` as it was commanded.
     #[inline(always)]
     pub(crate) fn of(&mut self, environment: V, applied: V) -> Split<V> {
-        let mut late = environment;
-        if let Some(due) = self.waiting.get_mut(self.due) {
-            std::mem::swap(due, &mut late);
-        }
-        self.due = if self.due + 1 < self.waiting.len() { self.due + 1 } else { 0 };
+        self.waiting.push_back(environment);
+        let late = self.waiting.pop_front().unwrap_or_else(V::zero);
         let (most, least) = (self.limit, -self.limit);
         let environment = late.map(|axis| {
             let clipped = V::Scalar::choose(axis.below(least), least, axis);

@@ -83,7 +83,7 @@ impl<V: Signal> TwoMassBody<V> {
     }
 }
 
-/// Whether the gains are those of a motion in the scalar's range.
+/// Check of gains: those of a motion in the scalar's range.
 #[inline(always)]
 fn in_range<T: Scalar>(device: T, maps: &Maps<T>) -> Result<(), ParameterError> {
     let mut finite = T::Mask::of(true);

@@ -15,7 +15,6 @@ pub(super) struct Axes {
 }
 
 impl Axes {
-    #[inline]
     pub(super) fn of<V: Signal>(signal: V, lane: usize) -> Self {
         let (mut values, mut count) = ([0.0; AXES], 0);
         signal.map(|axis| {
@@ -34,9 +33,8 @@ impl Axes {
         &self.values[..self.count]
     }
 
-    #[inline]
     pub(super) fn inner(&self, other: &Self) -> f64 {
-        (0..self.count.min(other.count)).map(|axis| self.values[axis] * other.values[axis]).sum()
+        self.all().iter().zip(other.all()).map(|(a, b)| a * b).sum()
     }
 
     /// The component in the direction of `other`; 0 where that has none.
@@ -51,7 +49,8 @@ impl Axes {
     }
 
     pub(super) fn minus(&self, other: &Self) -> Self {
-        let values = std::array::from_fn(|axis| self.values[axis] - other.values[axis]);
+        let mut values = self.values;
+        values.iter_mut().zip(other.values).for_each(|(axis, less)| *axis -= less);
         Self { values, ..*self }
     }
 
@@ -59,13 +58,11 @@ impl Axes {
         self.all().iter().copied().fold(0.0, f64::hypot)
     }
 
-    #[inline]
     pub(super) fn largest(&self) -> f64 {
         self.farthest(0.0)
     }
 
     /// The largest distance of an axis from `rest`.
-    #[inline]
     pub(super) fn farthest(&self, rest: f64) -> f64 {
         self.all().iter().fold(0.0, |most, axis| larger(most, (axis - rest).abs()))
     }

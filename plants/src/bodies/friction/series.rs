@@ -23,7 +23,7 @@ pub(super) struct Series<T, const S: usize> {
     pub(super) state: [Polynomial<T>; S],
     /// Magnitude of the friction, N.
     pub(super) friction: Polynomial<T>,
-    /// What it falls by.
+    /// Power series of its fall with the velocity.
     fall: Exponential<T>,
 }
 
