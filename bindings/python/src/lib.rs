@@ -46,7 +46,7 @@ mod _lyapunov {
     #[pymodule_export]
     use crate::lab::tune::tune;
     #[pymodule_export]
-    use crate::lab::{Scene, Told, map_merge, map_shard, shard_head};
+    use crate::lab::{MapMerge, Scene, Told, map_cells, map_shard, shard_head};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

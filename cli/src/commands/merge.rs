@@ -40,8 +40,11 @@ impl Merge {
         let folder = Folder::claim(&self.out, files, &inputs)?;
         let table = folder.path().join(table_name(Shard::WHOLE));
         let mut output = Output::create(&table).map_err(End::input)?;
-        let merged = merge(&tables, &mut output, &table, |_, _, _| ());
-        let survey = merged.map_err(|error: MergeError| End::input(error))?;
+        let go_on = || End::if_interrupted().is_ok();
+        let survey = merge(&tables, &mut output, &table, &go_on).map_err(|error| match error {
+            MergeError::Stopped => End::Interrupted,
+            error => End::input(error),
+        })?;
         let bounds = Bounds::of(survey.grid());
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
         End::if_interrupted()?;

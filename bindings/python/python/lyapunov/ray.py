@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import os
 import re
-import tempfile
 import time
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -57,7 +56,7 @@ def map(  # noqa: A001
     """
     read, names, place = _scene(scene), _names(stabilizers) or "", Path(folder)
     place.mkdir(parents=True, exist_ok=True)
-    cells, _ = _lyapunov.shard_head(read, x, y, names, "0/1")
+    cells = _lyapunov.map_cells(read, x, y, names)
     _connect()
     asked = (read, x, y, names)
     count = _begun(place) or shards or _count(cells, lambda trial: _timed_shard.remote(*asked, f"0/{trial}"))
@@ -68,16 +67,18 @@ def map(  # noqa: A001
     for index, table in enumerate(tables):
         if not table.exists():
             missing.append(index)
-        elif not table.read_text().startswith(_lyapunov.shard_head(read, x, y, names, f"{index}/{count}")[1]):
+        elif not _begins(table, _lyapunov.shard_head(read, x, y, names, f"{index}/{count}")):
             raise InputError(f"{table} is of another map\n  = go on with the arguments that it was begun with, or choose another folder")
     tasks = {_shard.remote(*asked, f"{index}/{count}"): index for index in missing}
+    whole = _Whole(tables, place / "map.csv")
 
     def keep(index: int, table: bytes) -> None:
         _write(tables[index], table)
+        whole.grow()
 
     with shown(progress, "map") as bar:
         _gather(tasks, keep, bar, count)
-    told = _lyapunov.map_merge(tables, place / "map.csv")
+    told = whole.end()
     _write(place / "map.json", told.json.encode())
     for table in tables:
         table.unlink()
@@ -138,6 +139,11 @@ def _begun(folder: Path) -> int | None:
     return counts.pop() if counts else None
 
 
+def _begins(path: Path, head: str) -> bool:
+    with path.open("rb") as file:
+        return file.read(len(head.encode())) == head.encode()
+
+
 def _gather(tasks: Mapping[Any, int], keep: Callable[[int, Any], object], bar: Callable[[int, int], object] | None, count: int) -> None:
     """Keeps the result of each task as it comes; cancels the others if one fails or the caller is interrupted."""
     waiting = dict(tasks)
@@ -171,6 +177,26 @@ def _write(path: Path, text: bytes) -> None:
     begun.replace(path)
 
 
+class _Whole:
+    """The map at `path`, which grows by each table that is there and has all before it, while others are computed."""
+
+    def __init__(self, tables: list[Path], path: Path) -> None:
+        self.tables, self.path = tables, path
+        self.merge: _lyapunov.MapMerge | None = None
+        self.merged = 0
+
+    def grow(self) -> None:
+        while self.merged < len(self.tables) and self.tables[self.merged].exists():
+            self.merge = self.merge or _lyapunov.MapMerge(self.tables[0], self.path)
+            self.merge.add(self.tables[self.merged])
+            self.merged += 1
+
+    def end(self) -> _lyapunov.Told:
+        self.grow()
+        assert self.merge is not None, "every table is there"
+        return self.merge.end()
+
+
 def _joined(parts: list[dict[str, Column]]) -> dict[str, Column]:
     import numpy
 
@@ -184,8 +210,7 @@ def _joined(parts: list[dict[str, Column]]) -> dict[str, Column]:
 
 
 def _table(scene: Scene, x: str, y: str, names: str, shard: str) -> bytes:
-    with tempfile.TemporaryDirectory() as folder:
-        return (Path(folder) / _lyapunov.map_shard(scene, x, y, names, shard, folder, 1)).read_bytes()
+    return _lyapunov.map_shard(scene, x, y, names, shard)
 
 
 def _run_members(

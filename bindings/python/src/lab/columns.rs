@@ -2,7 +2,7 @@
 
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyDict, PyList, PyString};
 
 use crate::errors;
 
@@ -11,7 +11,39 @@ use crate::errors;
 pub(crate) enum Column {
     /// Numbers; NaN where there is none.
     Numbers(Vec<f64>),
-    Words(Vec<String>),
+    Words(Words),
+}
+
+/// Words of which most occur in many rows, and each is kept once.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Words {
+    known: Vec<String>,
+    /// The place of each row's word among the known.
+    rows: Vec<u32>,
+}
+
+impl Words {
+    pub(crate) fn push(&mut self, word: &str) {
+        // Most are like one of the last.
+        let place = self.known.iter().rposition(|known| known == word).unwrap_or_else(|| {
+            self.known.push(word.to_owned());
+            self.known.len() - 1
+        });
+        self.rows.push(place as u32);
+    }
+
+    fn into_list(self, py: Python<'_>) -> PyResult<Bound<'_, PyList>> {
+        let known: Vec<_> = self.known.iter().map(|word| PyString::new(py, word)).collect();
+        PyList::new(py, self.rows.iter().map(|row| &known[*row as usize]))
+    }
+}
+
+impl<W: AsRef<str>> FromIterator<W> for Words {
+    fn from_iter<I: IntoIterator<Item = W>>(words: I) -> Self {
+        let mut all = Self::default();
+        words.into_iter().for_each(|word| all.push(word.as_ref()));
+        all
+    }
 }
 
 /// Columns of a table with their names.
@@ -33,7 +65,7 @@ impl Columns {
         }
         let columns = names.into_iter().zip(fields).map(|(name, fields)| {
             let column = match words.contains(&&name[..]) {
-                true => Column::Words(fields),
+                true => Column::Words(fields.iter().collect()),
                 false => Column::numbers(&name, &fields)?,
             };
             Ok((name, column))
@@ -47,7 +79,7 @@ impl Columns {
         for (name, column) in self.0 {
             match column {
                 Column::Numbers(numbers) => table.set_item(name, numbers.into_pyarray(py))?,
-                Column::Words(words) => table.set_item(name, PyList::new(py, words)?)?,
+                Column::Words(words) => table.set_item(name, words.into_list(py)?)?,
             }
         }
         Ok(table)

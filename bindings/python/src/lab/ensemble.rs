@@ -78,7 +78,7 @@ fn columns(first: u64, runs: &[Summary]) -> Columns {
         (name.to_owned(), Column::Numbers(numbers))
     };
     let members = (first..).take(runs.len()).map(|number| number as f64).collect();
-    let verdicts = runs.iter().map(|run| run.verdict().word().to_owned()).collect();
+    let verdicts = runs.iter().map(|run| run.verdict().word()).collect();
     Columns(vec![
         ("member".to_owned(), Column::Numbers(members)),
         ("verdict".to_owned(), Column::Words(verdicts)),

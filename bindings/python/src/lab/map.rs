@@ -8,7 +8,7 @@ use lyapunov_lab::map::{
 use lyapunov_lab::scene as lab;
 use pyo3::prelude::*;
 
-use super::columns::{Column, Columns};
+use super::columns::{Column, Columns, Words};
 use super::compare::words;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
@@ -124,20 +124,21 @@ const WORDS: [&str; 3] = ["stabilizer", "verdict", "verdict_by"];
 #[derive(Debug, Default)]
 pub(super) struct Rows {
     places: [Vec<f64>; 2],
-    words: [Vec<String>; 3],
+    words: [Words; 3],
     measures: Vec<Vec<f64>>,
 }
 
 impl Rows {
     pub(super) fn add(&mut self, grid: &Grid, cell: u64, outcomes: &[Outcome]) {
         self.measures.resize(Measure::ALL.len(), Vec::new());
+        let values = grid.values(cell);
         for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
-            for (place, value) in self.places.iter_mut().zip(grid.values(cell)) {
+            for (place, value) in self.places.iter_mut().zip(values) {
                 place.push(value);
             }
             let words = [member.name(), outcome.verdict.word(), outcome.verdict_by.word()];
             for (column, word) in self.words.iter_mut().zip(words) {
-                column.push(word.to_owned());
+                column.push(word);
             }
             for (column, measure) in self.measures.iter_mut().zip(Measure::ALL) {
                 column.push(measure.of(&outcome.measures).unwrap_or(f64::NAN));

@@ -17,6 +17,6 @@ pub(crate) mod tune;
 mod work;
 
 pub(crate) use scene::Scene;
-pub(crate) use shard::{map_merge, map_shard, shard_head};
+pub(crate) use shard::{MapMerge, map_cells, map_shard, shard_head};
 pub(crate) use told::Told;
 pub(crate) use work::{Fault, pool, wait_here};

@@ -2,18 +2,33 @@
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use lyapunov_lab::family::StabilizerNames;
-use lyapunov_lab::map::{Axis, Checkpoint, Run, Shard, Survey, TableHeader, merge, table_name};
+use lyapunov_lab::map::{Axis, Grid, Merge, Run, Shard, TableHeader, rows};
+use lyapunov_lab::{OutputError, sync_folder};
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
 use super::map::{Rows, fault, grid_of, told};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
 
-/// The number of cells of a map, whose input is checked, and the head of the table of share `shard`, as i/n: two maps are
-/// alike if their heads are.
+/// The number of cells of a map, whose input is checked.
+#[pyfunction]
+pub(crate) fn map_cells(
+    scene: &Bound<'_, Scene>,
+    x: &str,
+    y: &str,
+    stabilizers: &str,
+) -> PyResult<u64> {
+    let (name, grid) = asked(scene, x, y, stabilizers)?;
+    Run::of(&grid, Some(1)).map_err(|error| errors::input(format!("{name}: {error}")))?;
+    Ok(grid.cells())
+}
+
+/// The head of the table of share `shard`, as i/n: two maps are alike if their heads are.
 #[pyfunction]
 pub(crate) fn shard_head(
     scene: &Bound<'_, Scene>,
@@ -21,82 +36,119 @@ pub(crate) fn shard_head(
     y: &str,
     stabilizers: &str,
     shard: &str,
-) -> PyResult<(u64, String)> {
-    let Scene { scene, name } = scene.get().clone();
-    let names: StabilizerNames = stabilizers.parse().map_err(errors::input)?;
-    let axes: [Axis; 2] = [x.parse().map_err(errors::input)?, y.parse().map_err(errors::input)?];
-    let [x, y] = axes;
-    let grid = grid_of(&name, scene, x, y, &names)?;
-    Run::of(&grid, Some(1)).map_err(|error| errors::input(format!("{name}: {error}")))?;
+) -> PyResult<String> {
+    let (_, grid) = asked(scene, x, y, stabilizers)?;
     let shard: Shard = shard.parse().map_err(errors::input)?;
-    Ok((grid.cells(), TableHeader::of(&grid, shard).text().to_owned()))
+    Ok(TableHeader::of(&grid, shard).text().to_owned())
 }
 
-/// Computes share `shard`, as i/n, into `folder`; returns the name of its table there, the one that `lyapunov map --shard`
-/// writes.
+/// The table of share `shard`, as i/n, the one that `lyapunov map --shard` writes; computed on one core.
 #[pyfunction]
-#[pyo3(signature = (scene, x, y, stabilizers, shard, folder, threads=None))]
-#[allow(clippy::too_many_arguments)]
-pub(crate) fn map_shard(
-    py: Python<'_>,
+pub(crate) fn map_shard<'py>(
+    py: Python<'py>,
     scene: &Bound<'_, Scene>,
     x: &str,
     y: &str,
     stabilizers: &str,
     shard: &str,
-    folder: PathBuf,
-    threads: Option<usize>,
-) -> PyResult<String> {
-    let Scene { scene, name } = scene.get().clone();
-    let names: StabilizerNames = stabilizers.parse().map_err(errors::input)?;
-    let axes: [Axis; 2] = [x.parse().map_err(errors::input)?, y.parse().map_err(errors::input)?];
+) -> PyResult<Bound<'py, PyBytes>> {
+    let (name, grid) = asked(scene, x, y, stabilizers)?;
     let shard: Shard = shard.parse().map_err(errors::input)?;
-    let [x, y] = axes;
-    let grid = grid_of(&name, scene, x, y, &names)?;
-    wait(py, None, 1, move |watched| {
-        let run = Run::of(&grid, threads).map_err(|error| fault(&name, error))?;
-        let mut survey = Survey::of(&grid);
-        let opened = Checkpoint::open(&folder, &grid, shard, true, &mut survey);
-        let mut checkpoint = opened.map_err(Fault::input)?;
-        let cells = checkpoint.next()..shard.cells(grid.cells()).end;
+    let table = wait(py, None, 1, move |watched| {
+        let run = Run::of(&grid, Some(1)).map_err(|error| fault(&name, error))?;
+        let mut table = TableHeader::of(&grid, shard).text().as_bytes().to_vec();
         let go_on = || watched.go_on().is_continue();
-        run.cells(cells, &go_on, &mut |_, outcomes| checkpoint.put(&grid, outcomes))
-            .map_err(|error| fault(&name, error))?;
-        let table = table_name(shard);
-        write_whole(&folder.join(&table), |file, place| {
-            checkpoint.write_table(file, place).map_err(Fault::input)
-        })?;
-        checkpoint.remove().map_err(Fault::input)?;
-        Ok(table)
-    })
-}
-
-/// Puts the tables of all shards together into the table at `path`, and tells the map.
-#[pyfunction]
-pub(crate) fn map_merge(py: Python<'_>, tables: Vec<PathBuf>, path: PathBuf) -> PyResult<Told> {
-    wait(py, None, 1, move |_| {
-        let (mut survey, mut rows) = (None, Rows::default());
-        write_whole(&path, |file, place| {
-            let each = |grid: &_, cell, outcomes: &[_]| rows.add(grid, cell, outcomes);
-            survey = Some(merge(&tables, file, place, each).map_err(Fault::input)?);
+        run.cells(shard.cells(grid.cells()), &go_on, &mut |first, outcomes| {
+            table.extend(rows(&grid, first, outcomes));
             Ok(())
-        })?;
-        let survey = survey.ok_or_else(|| Fault::internal("there is no map"))?;
-        Ok(Told { columns: rows.columns(survey.grid()), ..told(&survey, None)? })
-    })
+        })
+        .map_err(|error| fault(&name, error))?;
+        Ok(table)
+    })?;
+    Ok(PyBytes::new(py, &table))
 }
 
-/// Writes the file at `path` under another name, and names it when it is complete.
-fn write_whole(
-    path: &Path,
-    write: impl FnOnce(&mut File, &Path) -> Result<(), Fault>,
-) -> Result<(), Fault> {
-    let refused = |error: std::io::Error| {
-        Fault::input(format_args!("{} cannot be written: {error}", path.display()))
-    };
-    let begun = path.with_extension(format!("{}.begun", std::process::id()));
-    let mut file = File::create(&begun).map_err(refused)?;
-    write(&mut file, path)?;
-    file.sync_all().map_err(refused)?;
-    fs::rename(&begun, path).map_err(refused)
+/// The grid of a map, after the name of its scene.
+fn asked(scene: &Bound<'_, Scene>, x: &str, y: &str, names: &str) -> PyResult<(String, Grid)> {
+    let Scene { scene, name } = scene.get().clone();
+    let names: StabilizerNames = names.parse().map_err(errors::input)?;
+    let axis = |text: &str| text.parse::<Axis>().map_err(errors::input);
+    let grid = grid_of(&name, scene, axis(x)?, axis(y)?, &names)?;
+    Ok((name, grid))
+}
+
+/// A map that is put together from the tables of its shards, one after the other.
+#[pyclass(module = "lyapunov._lyapunov")]
+pub(crate) struct MapMerge {
+    path: PathBuf,
+    /// The file while it is unfinished.
+    part: PathBuf,
+    /// None where the last table was refused.
+    begun: Option<Begun>,
+}
+
+struct Begun {
+    merge: Merge<File>,
+    rows: Rows,
+    file: File,
+}
+
+/// The merges begun in this process, so that no two have one file.
+static MERGES: AtomicU64 = AtomicU64::new(0);
+
+#[pymethods]
+impl MapMerge {
+    /// Begins the map of which `table` is a shard, in a file that has the name `path` when it is complete.
+    #[new]
+    fn new(table: PathBuf, path: PathBuf) -> PyResult<Self> {
+        let number = MERGES.fetch_add(1, Ordering::Relaxed);
+        let part = path.with_extension(format!("{}.{number}.begun", std::process::id()));
+        let refused = |error| errors::input(OutputError::new(&path, error));
+        let out = File::create(&part).map_err(refused)?;
+        let file = out.try_clone().map_err(refused)?;
+        let merge = Merge::begin(&table, out, &path).map_err(errors::input)?;
+        Ok(Self { path, part, begun: Some(Begun { merge, rows: Rows::default(), file }) })
+    }
+
+    /// Adds the next shard, whose table is at `table`.
+    fn add(&mut self, py: Python<'_>, table: PathBuf) -> PyResult<()> {
+        let mut begun = self.taken()?;
+        self.begun = Some(wait(py, None, 1, move |watched| {
+            let Begun { merge, rows, .. } = &mut begun;
+            let each = |grid: &_, cell, outcomes: &[_]| rows.add(grid, cell, outcomes);
+            let go_on = || watched.go_on().is_continue();
+            merge.add(&table, &go_on, each).map_err(Fault::input)?;
+            Ok(begun)
+        })?);
+        Ok(())
+    }
+
+    /// Ends the map, and tells it.
+    fn end(&mut self, py: Python<'_>) -> PyResult<Told> {
+        let Begun { merge, rows, file } = self.taken()?;
+        let (part, path) = (self.part.clone(), self.path.clone());
+        wait(py, None, 1, move |_| {
+            let survey = merge.end().map_err(Fault::input)?;
+            let folder = path.parent().unwrap_or(Path::new(""));
+            let named = file
+                .sync_all()
+                .and_then(|()| fs::rename(part, &path))
+                .and_then(|()| sync_folder(folder));
+            named.map_err(|error| Fault::input(OutputError::new(&path, error)))?;
+            Ok(Told { columns: rows.columns(survey.grid()), ..told(&survey, None)? })
+        })
+    }
+}
+
+impl MapMerge {
+    fn taken(&mut self) -> PyResult<Begun> {
+        self.begun.take().ok_or_else(|| errors::input("the merge has ended: begin another"))
+    }
+}
+
+impl Drop for MapMerge {
+    fn drop(&mut self) {
+        // What is complete has another name by now.
+        let _ = fs::remove_file(&self.part);
+    }
 }

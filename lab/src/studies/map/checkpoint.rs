@@ -6,14 +6,19 @@ use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
+
 use super::grid::Grid;
 use super::shard::Shard;
 use super::survey::Survey;
 use super::table::{self, Rows, TableHeader};
 use super::table_error::TableError;
 use crate::measure::runs::Outcome;
-use crate::show::csv::Records;
 use crate::show::{OutputError, sync_folder};
+use crate::text::Checksum;
+
+/// The cells whose rows one thread writes at once.
+const SHARE: usize = 1024;
 
 /// A table that grows by whole cells, each row with its checksum, until the finished one is written from it.
 ///
@@ -155,23 +160,22 @@ impl Checkpoint {
         &self.part
     }
 
-    /// Writes the next cells, and returns when they are on the disk.
+    /// Writes the next cells, and returns when they are on the disk; the threads of the current pool share in it.
     ///
     /// # Errors
     /// An error of the file system; rows written before stay.
     pub fn put(&mut self, grid: &Grid, outcomes: &[Vec<Outcome>]) -> Result<(), OutputError> {
         let refuse = |error| OutputError::new(&self.part, error);
-        let mut rows = Records::new(Vec::new());
-        for (cell, outcomes) in (self.next..).zip(outcomes) {
-            table::write(&mut rows, grid, cell, outcomes).map_err(refuse)?;
-        }
-        let (rows, seal) = (rows.into_inner().map_err(refuse)?, self.head.seal());
-        let mut sealed = Vec::with_capacity(rows.len() + rows.len() / 4);
-        for row in rows.split(|byte| *byte == b'\n').filter(|row| !row.is_empty()) {
-            sealed.extend_from_slice(row);
-            sealed.extend_from_slice(format!(",{}\n", seal.and(row)).as_bytes());
-        }
-        self.file.write_all(&sealed).and_then(|()| self.file.sync_data()).map_err(refuse)?;
+        let seal = self.head.seal();
+        let shares = outcomes.par_chunks(SHARE).enumerate().map(|(at, outcomes)| {
+            sealed(&table::rows(grid, self.next + (at * SHARE) as u64, outcomes), seal)
+        });
+        let shares: Vec<Vec<u8>> = shares.collect();
+        let write = |mut file: &File| {
+            shares.iter().try_for_each(|rows| file.write_all(rows))?;
+            file.sync_data()
+        };
+        write(&self.file).map_err(refuse)?;
         self.next += outcomes.len() as u64;
         Ok(())
     }
@@ -194,12 +198,13 @@ impl Checkpoint {
         out.write_all(self.head.text().as_bytes()).map_err(refuse)?;
         let (mut line, seal) = (Vec::new(), self.head.seal());
         for row in 1.. {
-            let Some(line) = table::next_line(&mut lines, &mut line).map_err(unreadable)? else {
+            line.clear();
+            if !table::next_line(&mut lines, &mut line).map_err(unreadable)? {
                 break;
-            };
-            let line =
-                table::unsealed(line, seal).ok_or(TableError::Damaged { row }).map_err(wrong)?;
-            out.write_all(line).and_then(|()| out.write_all(b"\n")).map_err(refuse)?;
+            }
+            let row =
+                table::unsealed(&line, seal).ok_or(TableError::Damaged { row }).map_err(wrong)?;
+            out.write_all(row).and_then(|()| out.write_all(b"\n")).map_err(refuse)?;
         }
         Ok(())
     }
@@ -211,6 +216,17 @@ impl Checkpoint {
     pub fn remove(self) -> Result<(), OutputError> {
         std::fs::remove_file(&self.part).map_err(|error| OutputError::new(&self.part, error))
     }
+}
+
+/// Rows with their checksums.
+fn sealed(rows: &[u8], seal: Checksum) -> Vec<u8> {
+    let mut sealed = Vec::with_capacity(rows.len() + rows.len() / 4);
+    for row in rows.split(|byte| *byte == b'\n').filter(|row| !row.is_empty()) {
+        sealed.extend_from_slice(row);
+        // Writing to memory never fails.
+        let _ = writeln!(sealed, ",{}", seal.and(row));
+    }
+    sealed
 }
 
 /// Adds the cells of the unfinished table at `path` to `survey`. Returns the cell after the last whole one, and the bytes

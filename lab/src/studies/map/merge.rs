@@ -1,5 +1,6 @@
 //! Merge of a map's shards.
 
+use std::cmp::Ordering;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufReader, BufWriter, Write};
@@ -27,6 +28,8 @@ pub enum MergeError {
     Missing(Shard),
     /// A shard that is not finished.
     Unfinished(PathBuf, u64, u64),
+    /// The caller did not want to go on.
+    Stopped,
 }
 
 impl fmt::Display for MergeError {
@@ -50,6 +53,7 @@ impl fmt::Display for MergeError {
                 "{} has {done} of {all} cells\n  = finish it with --resume, then merge",
                 path.display()
             ),
+            Self::Stopped => f.write_str("the merge was stopped"),
         }
     }
 }
@@ -62,67 +66,126 @@ impl<E: Into<CheckpointError>> From<E> for MergeError {
     }
 }
 
-/// Writes the map of all shards at `paths` to `out`, which is at `place`, and returns its survey; `each` learns the outcomes of
-/// every cell.
-///
-/// # Errors
-/// Tables that do not make a whole map; a place that cannot be written to.
-pub fn merge(
-    paths: &[PathBuf],
-    out: &mut impl Write,
-    place: &Path,
-    mut each: impl FnMut(&Grid, u64, &[Outcome]),
-) -> Result<Survey, MergeError> {
-    let mut shards = Vec::new();
-    for path in paths {
+/// A map that is put together from its shards, one after the other.
+#[derive(Debug)]
+pub struct Merge<W: Write> {
+    head: TableHeader,
+    /// The table whose head that is.
+    first: PathBuf,
+    next: Shard,
+    survey: Survey,
+    out: BufWriter<W>,
+    place: PathBuf,
+}
+
+impl<W: Write> Merge<W> {
+    /// Begins the map, of which the table at `path` is a shard, in `out`, which is at `place`.
+    ///
+    /// # Errors
+    /// A table that cannot be read; a place that cannot be written to.
+    pub fn begin(path: &Path, out: W, place: &Path) -> Result<Self, MergeError> {
         let (_, head) = open(path)?;
-        let (grid, shard) =
-            head.parse().map_err(|error| CheckpointError::Table(path.clone(), error))?;
-        shards.push((path, head, grid, shard));
+        let (grid, Shard { count, .. }) =
+            head.parse().map_err(|error| CheckpointError::Table(path.to_owned(), error))?;
+        let (next, survey) = (Shard { index: 0, count }, Survey::of(&grid));
+        let (first, place) = (path.to_owned(), place.to_owned());
+        let mut merge = Self { head, first, next, survey, out: BufWriter::new(out), place };
+        merge.write(TableHeader::of(&grid, Shard::WHOLE).text().as_bytes())?;
+        Ok(merge)
     }
-    let Some((first, head, grid, shard)) = shards.first() else {
-        return Err(MergeError::Missing(Shard::WHOLE));
-    };
-    for (path, other, _, other_shard) in &shards {
-        if !head.is_kin(other) || shard.count != other_shard.count {
-            return Err(MergeError::Strangers((*first).clone(), (*path).clone()));
+
+    /// The rows at `path`, whose table is a shard of this map.
+    fn opened(&self, path: &Path) -> Result<(BufReader<File>, Shard), MergeError> {
+        let (rows, head) = open(path)?;
+        let (_, shard) =
+            head.parse().map_err(|error| CheckpointError::Table(path.to_owned(), error))?;
+        if !self.head.is_kin(&head) || shard.count != self.next.count {
+            return Err(MergeError::Strangers(self.first.clone(), path.to_owned()));
         }
+        Ok((rows, shard))
     }
-    let mut survey = Survey::of(grid);
-    let whole = TableHeader::of(grid, Shard::WHOLE);
-    let count = shard.count;
-    let unwritten = |error| OutputError::new(place, error);
-    let mut out = BufWriter::new(out);
-    out.write_all(whole.text().as_bytes()).map_err(unwritten)?;
-    for index in 0..count {
-        let shard = Shard { index, count };
-        let mut these = shards.iter().filter(|(.., one)| *one == shard);
-        let Some((path, ..)) = these.next() else { return Err(MergeError::Missing(shard)) };
-        if let Some((path, ..)) = these.next() {
-            return Err(MergeError::Twice((*path).clone(), shard));
+
+    /// Adds the next shard, whose table is at `path`; `each` learns the outcomes of every cell, and `go_on` is polled now and
+    /// then.
+    ///
+    /// # Errors
+    /// A table that is not the next shard, or not the whole of it; a place that cannot be written to; [`MergeError::Stopped`]
+    /// if `go_on` returns false.
+    pub fn add(
+        &mut self,
+        path: &Path,
+        go_on: &dyn Fn() -> bool,
+        mut each: impl FnMut(&Grid, u64, &[Outcome]),
+    ) -> Result<(), MergeError> {
+        let (rows, shard) = self.opened(path)?;
+        match shard.index.cmp(&self.next.index) {
+            Ordering::Less => return Err(MergeError::Twice(path.to_owned(), shard)),
+            Ordering::Greater => return Err(MergeError::Missing(self.next)),
+            Ordering::Equal => self.next.index += 1,
         }
-        let (lines, _) = open(path)?;
+        let grid = self.survey.grid().clone();
         let cells = shard.cells(grid.cells());
-        let mut rows = Rows::new(lines, grid.clone(), cells.start);
-        let wrong = |error| CheckpointError::Table((*path).clone(), error);
+        let mut rows = Rows::new(rows, grid.clone(), cells.start);
+        let wrong = |error| CheckpointError::Table(path.to_owned(), error);
         let mut cell = cells.start;
         while cell < cells.end {
             let read = rows.next_cells(cells.end - cell).map_err(wrong)?;
             if read.is_empty() {
                 let (done, all) = (cell - cells.start, cells.end - cells.start);
-                return Err(MergeError::Unfinished((*path).clone(), done, all));
+                return Err(MergeError::Unfinished(path.to_owned(), done, all));
             }
             for outcomes in read {
-                survey.add(cell, &outcomes);
-                each(grid, cell, &outcomes);
+                self.survey.add(cell, &outcomes);
+                each(&grid, cell, &outcomes);
                 cell += 1;
             }
-            out.write_all(rows.text().as_bytes()).map_err(unwritten)?;
+            self.write(rows.text())?;
+            if !go_on() {
+                return Err(MergeError::Stopped);
+            }
         }
-        rows.end().map_err(wrong)?;
+        Ok(rows.end().map_err(wrong)?)
     }
-    out.flush().map_err(unwritten)?;
-    Ok(survey)
+
+    /// The survey of the map, once it is written.
+    ///
+    /// # Errors
+    /// A shard that was not added; a place that cannot be written to.
+    pub fn end(mut self) -> Result<Survey, MergeError> {
+        if self.next.index < self.next.count {
+            return Err(MergeError::Missing(self.next));
+        }
+        self.out.flush().map_err(|error| OutputError::new(&self.place, error))?;
+        Ok(self.survey)
+    }
+
+    fn write(&mut self, text: &[u8]) -> Result<(), OutputError> {
+        let written = self.out.write_all(text);
+        written.map_err(|error| OutputError::new(&self.place, error))
+    }
+}
+
+/// Writes the map of all shards at `paths`, in whatever order, to `out`, which is at `place`, and returns its survey; `go_on`
+/// is polled now and then.
+///
+/// # Errors
+/// Tables that do not make a whole map; a place that cannot be written to; [`MergeError::Stopped`] if `go_on` returns false.
+pub fn merge(
+    paths: &[PathBuf],
+    out: &mut impl Write,
+    place: &Path,
+    go_on: &dyn Fn() -> bool,
+) -> Result<Survey, MergeError> {
+    let Some(first) = paths.first() else { return Err(MergeError::Missing(Shard::WHOLE)) };
+    let mut merge = Merge::begin(first, out, place)?;
+    let shard = |path| Ok((merge.opened(path)?.1.index, path));
+    let mut shards =
+        paths.iter().map(|path| shard(path)).collect::<Result<Vec<_>, MergeError>>()?;
+    shards.sort_by_key(|(index, _)| *index);
+    for (_, path) in shards {
+        merge.add(path, go_on, |_, _, _| ())?;
+    }
+    merge.end()
 }
 
 fn open(path: &Path) -> Result<(BufReader<File>, TableHeader), CheckpointError> {

@@ -27,7 +27,7 @@ const LEAST: usize = 64;
 const MOST: usize = 1 << 16;
 
 /// Receiver of a band: its first cell, and the outcome of each of its cells under each stabilizer.
-pub type TakeOutcomes<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + 'a;
+pub type TakeOutcomes<'a> = dyn FnMut(u64, &[Vec<Outcome>]) -> Result<(), OutputError> + Send + 'a;
 
 /// The computation of a map.
 #[derive(Debug)]
@@ -93,7 +93,8 @@ impl<'a> Run<'a> {
         self.pool.current_num_threads()
     }
 
-    /// Computes `cells` and passes them to `put` in their order, a band at a time; polls `go_on` now and then.
+    /// Computes `cells` and passes them to `put` in their order, a band at a time, in the pool of its threads; polls `go_on`
+    /// now and then.
     ///
     /// # Errors
     /// [`RunError::Stopped`] if `go_on` returns false, and the errors of `put` and of cells. The bands passed on before
@@ -129,7 +130,7 @@ impl<'a> Run<'a> {
             let steps: u64 = done.iter().map(|cell| self.grid.rows(*cell)).sum();
             effort.cells += done.len() as u64;
             effort.rollout_steps += steps * self.grid.stabilizers.len() as u64;
-            put(first, &outcomes)?;
+            self.pool.install(|| put(first, &outcomes))?;
             if done.len() < band.len() || !go_on() {
                 return Err(RunError::Stopped);
             }

@@ -5,7 +5,7 @@
 //! column more, their checksum.
 
 use std::fmt::Write as _;
-use std::io::{self, BufRead, Read, Write};
+use std::io::{self, BufRead, Read};
 
 use rayon::prelude::*;
 
@@ -164,42 +164,39 @@ impl TableHeader {
     }
 }
 
-/// `line` of an unfinished table without its checksum; none if that is not right.
+/// `line` of an unfinished table without its checksum and its break; none if that is not right.
 pub(super) fn unsealed(line: &[u8], seal: Checksum) -> Option<&[u8]> {
+    let line = line.strip_suffix(b"\n")?;
     let comma = line.iter().rposition(|byte| *byte == b',')?;
     let (row, sum) = (&line[..comma], &line[comma + 1..]);
     (sum == seal.and(row).to_string().as_bytes()).then_some(row)
 }
 
-/// The next line, without its break; none where the text ends before a break. A line that is too long is cut.
-pub(super) fn next_line<'a>(
-    lines: &mut impl BufRead,
-    line: &'a mut Vec<u8>,
-) -> io::Result<Option<&'a [u8]>> {
-    line.clear();
-    lines.by_ref().take(LONGEST as u64).read_until(b'\n', line)?;
-    let is_whole = line.ends_with(b"\n") || line.len() == LONGEST;
-    Ok(is_whole.then(|| line.strip_suffix(b"\n").unwrap_or(line)))
+/// Adds the next line to `text`, with its break; tells whether there was a whole one before the text ends. A line that is too
+/// long is cut.
+pub(super) fn next_line(lines: &mut impl BufRead, text: &mut Vec<u8>) -> io::Result<bool> {
+    let read = lines.by_ref().take(LONGEST as u64).read_until(b'\n', text)?;
+    let is_whole = read > 0 && text.ends_with(b"\n");
+    if read == LONGEST && !is_whole {
+        text.push(b'\n');
+    }
+    Ok(is_whole || read == LONGEST)
 }
 
-/// Writes the rows of a cell.
-///
-/// # Errors
-/// A writer that fails.
-pub(super) fn write(
-    out: &mut Records<impl Write>,
-    grid: &Grid,
-    cell: u64,
-    outcomes: &[Outcome],
-) -> io::Result<()> {
-    let [x, y] = grid.values(cell);
-    for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
-        let words = [member.name(), outcome.verdict.word(), outcome.verdict_by.word()];
-        let names = [x, y].map(Field::Number).into_iter().chain(words.map(Field::Text));
-        let measures = Measure::ALL.map(|measure| measure.of(&outcome.measures).into());
-        out.put(names.chain(measures))?;
+/// The rows of consecutive cells from cell `first` on, under each stabilizer of `grid`.
+pub fn rows(grid: &Grid, first: u64, outcomes: &[Vec<Outcome>]) -> Vec<u8> {
+    let mut rows = Records::new(Vec::new());
+    for (cell, outcomes) in (first..).zip(outcomes) {
+        let [x, y] = grid.values(cell);
+        for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
+            let words = [member.name(), outcome.verdict.word(), outcome.verdict_by.word()];
+            let names = [x, y].map(Field::Number).into_iter().chain(words.map(Field::Text));
+            let measures = Measure::ALL.map(|measure| measure.of(&outcome.measures).into());
+            // Writing to memory never fails.
+            let _ = rows.put(names.chain(measures));
+        }
     }
-    Ok(())
+    rows.into_inner().unwrap_or_default()
 }
 
 /// The rows of a table, cell by cell.
@@ -210,17 +207,15 @@ pub struct Rows<R> {
     cell: u64,
     /// What the checksums of an unfinished table begin with.
     seal: Option<Checksum>,
-    line: Vec<u8>,
-    /// The rows of the last cells, as [`write`] writes them.
-    text: String,
+    /// The rows of the last cells, as [`rows`] writes them.
+    text: Vec<u8>,
     read: u64,
 }
 
 impl<R: BufRead> Rows<R> {
     /// The rows that follow in `lines` from cell `first` on.
     pub fn new(lines: R, grid: Grid, first: u64) -> Self {
-        let (line, text) = Default::default();
-        Self { lines, grid, cell: first, seal: None, line, text, read: 0 }
+        Self { lines, grid, cell: first, seal: None, text: Vec::new(), read: 0 }
     }
 
     /// The same of an unfinished table with this head, whose rows have checksums.
@@ -234,7 +229,7 @@ impl<R: BufRead> Rows<R> {
     }
 
     /// The rows of the cells that were returned last.
-    pub(super) fn text(&self) -> &str {
+    pub(super) fn text(&self) -> &[u8] {
         &self.text
     }
 
@@ -282,25 +277,30 @@ impl<R: BufRead> Rows<R> {
     fn read_cell(&mut self) -> Result<Option<u64>, TableError> {
         let (mut bytes, members) = (0, self.grid.stabilizers.len() as u64);
         for row in 0..members {
-            let Some(line) = next_line(&mut self.lines, &mut self.line)? else { return Ok(None) };
-            bytes += line.len() as u64 + 1;
-            let line = match self.seal {
-                Some(seal) => unsealed(line, seal)
-                    .ok_or(TableError::Damaged { row: self.cell * members + row + 1 })?,
-                None => line,
-            };
-            self.text.push_str(&String::from_utf8_lossy(line));
-            self.text.push('\n');
+            let start = self.text.len();
+            if !next_line(&mut self.lines, &mut self.text)? {
+                return Ok(None);
+            }
+            bytes += (self.text.len() - start) as u64;
+            if let Some(seal) = self.seal {
+                let row = unsealed(&self.text[start..], seal)
+                    .ok_or(TableError::Damaged { row: self.cell * members + row + 1 })?;
+                let end = start + row.len();
+                self.text.truncate(end);
+                self.text.push(b'\n');
+            }
         }
         Ok(Some(bytes))
     }
 
     /// Whether a row with a right checksum is among the rest of an unfinished table.
     pub(super) fn goes_on(&mut self) -> Result<bool, TableError> {
-        while let Some(line) = next_line(&mut self.lines, &mut self.line)? {
-            if self.seal.is_some_and(|seal| unsealed(line, seal).is_some()) {
+        let mut line = Vec::new();
+        while next_line(&mut self.lines, &mut line)? {
+            if self.seal.is_some_and(|seal| unsealed(&line, seal).is_some()) {
                 return Ok(true);
             }
+            line.clear();
         }
         Ok(false)
     }
@@ -315,20 +315,25 @@ impl<R: BufRead> Rows<R> {
 }
 
 /// The outcomes in the rows of a cell.
-fn outcomes(grid: &Grid, cell: u64, rows: &str) -> Result<Vec<Outcome>, TableError> {
+fn outcomes(grid: &Grid, cell: u64, rows: &[u8]) -> Result<Vec<Outcome>, TableError> {
     let [x, y] = grid.values(cell).map(|value| format!("{value:?}"));
     let first = cell * grid.stabilizers.len() as u64 + 1;
     (first..)
-        .zip(rows.split_terminator('\n').zip(grid.stabilizers.iter()))
+        .zip(rows.split_inclusive(|byte| *byte == b'\n').zip(grid.stabilizers.iter()))
         .map(|(row, (text, member))| {
             let start = format!("{x},{y},{member},");
-            let outcome = text.strip_prefix(&start).and_then(outcome);
-            outcome.ok_or_else(|| TableError::Row { row, text: text.to_owned() })
+            let text = text.strip_suffix(b"\n").unwrap_or(text);
+            let read = str::from_utf8(text).ok();
+            let outcome = read.and_then(|text| text.strip_prefix(&start)).and_then(outcome);
+            outcome.ok_or_else(|| TableError::Row {
+                row,
+                text: String::from_utf8_lossy(text).into_owned(),
+            })
         })
         .collect()
 }
 
-/// The outcome in the part of a row after the stabilizer's name; none of a text that [`write`] never writes.
+/// The outcome in the part of a row after the stabilizer's name; none of a text that [`rows`] never writes.
 fn outcome(text: &str) -> Option<Outcome> {
     let mut fields = text.split(',');
     let verdict = Verdict::of_word(fields.next()?)?;
