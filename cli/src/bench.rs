@@ -39,7 +39,7 @@ impl Bench {
     }
 
     /// The same for `words` in place of the program's arguments, the first of them its name: for a program that another
-    /// one interprets.
+    /// one interprets. Once in a process, before it reads a scene.
     pub fn told(self, words: impl IntoIterator<Item = OsString>) -> u8 {
         let words: Vec<OsString> = words.into_iter().collect();
         let names: Vec<&str> = self.roster.names().collect();

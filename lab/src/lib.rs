@@ -86,7 +86,7 @@ pub use studies::{
 
 // Names of other crates that the interface above uses.
 #[doc(no_inline)]
-pub use text::legible;
+pub use text::{legible, shell_word};
 
 pub use lyapunov_figures as figures;
 #[doc(no_inline)]

@@ -29,9 +29,11 @@ const colour = (name) => ink()[TITLES[name] ? name : "lolc"];
 const runs = new Map();
 
 function rerun() {
-  runs.clear();
   const scene = toml(state.tree);
-  for (const name of names()) runs.set(name, engine.run(name, scene));
+  // All of them or none: a refused scene leaves those that are shown.
+  const begun = names().map((name) => [name, engine.run(name, scene)]);
+  runs.clear();
+  for (const [name, run] of begun) runs.set(name, run);
 }
 
 function cards() {
@@ -120,14 +122,14 @@ function ask(kind, about) {
   worker.postMessage({ id: told, kind, ...about });
 }
 
-/** Takes the state to all parts of the page. */
+/** Takes the state to all parts of the page; tells whether its scene runs. */
 function update() {
   try {
     rerun();
     $("fault").textContent = "";
   } catch (error) {
     $("fault").textContent = error.message;
-    return;
+    return false;
   }
   const scene = toml(state.tree);
   loops.take(names().map((name) => `${name}\n${scene}`), state.tree.servo_rate);
@@ -146,6 +148,7 @@ function update() {
     family.begin();
     ask("family", { scene });
   }, 120);
+  return true;
 }
 
 function take(tree) {
@@ -235,9 +238,13 @@ function opened(name, text) {
       $("done").textContent = `${name} is a log: below is what the observer says of it.`;
       return;
     }
+    const before = state.tree;
     state.tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
     look("run");
-    update();
+    if (!update()) {
+      state.tree = before;
+      return;
+    }
     loops.letGo();
     $("done").textContent = `${name} is open.`;
   } catch (error) {
@@ -315,6 +322,16 @@ function choices() {
   $("legend").append(Object.assign(document.createElement("li"), { className: "bound", textContent: "exact limit of the linear loop" }));
 }
 
+/** The scene of the page's address; none where it holds none, or was cut. */
+function sharedScene() {
+  try {
+    return ofAddress(location.hash);
+  } catch {
+    $("fault").textContent = "The address holds no scene: it may have been cut where it was copied.";
+    return null;
+  }
+}
+
 async function begin(module, source) {
   engine = await Engine.of(module);
   words = engine.lines("verdicts");
@@ -332,8 +349,8 @@ async function begin(module, source) {
   presets();
   hands();
   wire({ $, engine, now: () => ({ tree: state.tree, name: state.under }), open });
-  const shared = ofAddress(location.hash);
   start(PRESETS[0]);
+  const shared = sharedScene();
   if (shared) {
     $("said").textContent = "The scene of this address.";
     take(shared);

@@ -10,10 +10,7 @@ const [LEFT, FOOT] = [58, 36];
 /** Sliders that a map is over: those that the lanes differ in. */
 const AXES = SLIDERS.filter((it) => /wall|servo_rate|^device|^operator/.test(it.key));
 
-const axis = (slider) => {
-  const from = slider.from || (slider.log ? slider.to / 1e4 : 0);
-  return `${slider.key}=${from}..${slider.to}:${COUNT}${slider.log ? ":log" : ""}`;
-};
+const axis = ({ key, from, to, log }) => `${key}=${from}..${to}:${COUNT}${log ? ":log" : ""}`;
 /** Along a map every axis is even or logarithmic; a slider may be bent. */
 const straight = (slider) => ({ ...slider, bend: false, off: undefined });
 
@@ -76,8 +73,7 @@ export class StabilityMap {
 
   /** The unrounded number of an axis at a place from 0 to 1. */
   number({ from, to, log }, place) {
-    const low = from || (log ? to / 1e4 : 0);
-    return log ? low * (to / low) ** place : low + (to - low) * place;
+    return log ? from * (to / from) ** place : from + (to - from) * place;
   }
 
   /** Takes what the worker tells. */

@@ -61,7 +61,7 @@ pub(crate) fn stabilized(text: &str) -> Result<Scene, String> {
         return Ok(scene);
     }
     let name: StabilizerName = name.parse().map_err(|it| format!("{it}"))?;
-    name.written_in(&scene, &[]).map_err(|conflict| conflict.problem().to_owned())
+    name.written_in(&scene, &[]).map_err(|conflict| conflict.to_string())
 }
 
 /// Reads a scene: the output is that scene with every default, as JSON.

@@ -8,8 +8,8 @@ use lyapunov_lab::accuracy::{AccuracyError, Study};
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
-use super::results::{Results, names};
-use super::{BAR, End, named, print, program, shown};
+use super::results::{Results, command_line, names};
+use super::{BAR, End, named, print, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -98,12 +98,7 @@ impl Accuracy {
         target: Option<f64>,
         text: &str,
     ) -> Result<(), End> {
-        let command = format!("{} accuracy {}", program(), self.scene.display());
-        let command = match target {
-            None => command,
-            Some(metres) => format!("{command} --target {metres:e}"),
-        };
-        let page = study.to_html(&command, target);
+        let page = study.to_html(&command_line(), target);
         let results = Results::new(page, RESULTS, text).with_file("accuracy.csv", study.csv());
         folder.fill(results.with_figure("accuracy", &study.figure())?)
     }

@@ -142,8 +142,8 @@ impl Compare {
     ) -> Result<Vec<(Comparison, Answers)>, End> {
         let ticks = |scene: &Scene| {
             let once = scene.ticks() + 1;
-            let drawn = TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
-            once + self.out.as_ref().map_or(0, |_| drawn)
+            let drawn = || TradeOff::runs(scene).map_or(once, |(runs, ticks)| once + runs * ticks);
+            once + self.out.as_ref().map_or(0, |_| drawn())
         };
         let mut met = Vec::new();
         for (name, scene) in scenes {

@@ -105,15 +105,24 @@ impl<'a> Folder<'a> {
         self.path
     }
 
-    /// Writes all results before the first appears under its name, and lets the folder stay.
+    /// Writes all results before the first appears under its name, and lets the folder stay; none after an interrupt.
     pub(crate) fn fill(&self, results: Results) -> Result<(), End> {
+        self.put(results, End::if_interrupted)
+    }
+
+    /// The same after an interrupt too.
+    pub(crate) fn keep_all(&self, results: Results) -> Result<(), End> {
+        self.put(results, || Ok(()))
+    }
+
+    fn put(&self, results: Results, go_on: fn() -> Result<(), End>) -> Result<(), End> {
         for (name, _) in &results.files {
             debug_assert!(self.names.contains(name), "{name} was not claimed");
         }
         let mut outputs = Outputs::of(self.path);
         outputs.put_all(results.files).map_err(End::input)?;
         results.streamed.map_or(Ok(()), |rows| outputs.add(rows)).map_err(End::input)?;
-        End::if_interrupted()?;
+        go_on()?;
         self.keep();
         outputs.keep().map_err(End::input)
     }

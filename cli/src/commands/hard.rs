@@ -11,8 +11,8 @@ use lyapunov_lab::family::{BasicName, StabilizerName};
 use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
-use super::results::{Results, names};
-use super::{BAR, End, print, program, shown};
+use super::results::{Results, command_line, names};
+use super::{BAR, End, print, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -88,7 +88,7 @@ impl Hard {
         bar.finish_and_clear();
         let text = catalogue.document().map_err(End::internal)?;
         if let Some(folder) = folder {
-            let page = catalogue.report(&self.command(&folder));
+            let page = catalogue.report(&command_line());
             let results = Results::new(page, RESULTS, &text);
             folder.fill(results.with_file("hard.csv", catalogue.csv()))?;
         }
@@ -97,11 +97,5 @@ impl Hard {
         }
         let failed = catalogue.rows.iter().filter(|row| !row.passed).count();
         if failed == 0 { Ok(()) } else { Err(End::Failed(format!("{failed} hard cases failed"))) }
-    }
-
-    fn command(&self, folder: &Folder<'_>) -> String {
-        let named = self.stabilizer.map(|member| format!(" --stabilizer {member}"));
-        let named = named.unwrap_or_default();
-        format!("{} hard{named} --out {}", program(), folder.path().display())
     }
 }

@@ -12,13 +12,14 @@ use lyapunov_lab::map::{
     SweepPlan, areas, document, figure_names, figures, page, table_name,
 };
 use lyapunov_lab::scene::Scene;
+use lyapunov_lab::shell_word;
 use rayon::prelude::*;
 
 use super::folder::Folder;
 use super::merge::Merge;
 use super::results::{Results, command_line, names};
 use super::{BAR, End, named, print, program, shown};
-use crate::files::{Inputs, Output, Outputs};
+use crate::files::{Inputs, Output};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
 
@@ -90,7 +91,10 @@ enum Shards {
 
 impl From<CheckpointError> for End {
     fn from(error: CheckpointError) -> Self {
-        Self::input(error)
+        match error {
+            CheckpointError::Stopped => Self::Interrupted,
+            error => Self::input(error),
+        }
     }
 }
 
@@ -108,20 +112,27 @@ impl Map {
         let grid = Grid::new(scene, x.clone(), y.clone(), stabilizers);
         let grid = grid.map_err(|error| self.blame(error))?;
         let shard = self.shard.unwrap_or(Shard::WHOLE);
-        let run =
-            Run::of(&grid, self.threads.map(usize::from)).map_err(|error| self.blame(error))?;
+        let threads = self.threads.map(usize::from);
+        let run = Run::of(&grid, threads).map_err(|error| self.ended(error))?;
         if self.refine {
             return self.refine(&grid, &run);
         }
         let mut survey = Survey::of(&grid);
+        let go_on = || End::if_interrupted().is_ok();
         let folder = self.out.as_deref().map(|path| self.claim(path, &grid, shard)).transpose()?;
         // The unfinished table stays, and where it is has to be said.
         let untidy = folder.as_ref().map(|_| Untidy::new());
         let mut checkpoint = match &folder {
             None => None,
             Some(folder) => {
-                let checkpoint =
-                    Checkpoint::open(folder.path(), &grid, shard, self.resume, &mut survey)?;
+                let checkpoint = Checkpoint::open(
+                    folder.path(),
+                    &grid,
+                    shard,
+                    self.resume,
+                    &mut survey,
+                    &go_on,
+                )?;
                 folder.keep();
                 Some(checkpoint)
             }
@@ -129,38 +140,30 @@ impl Map {
         let effort = self.compute(&run, &grid, shard, &mut checkpoint, &mut survey)?;
         let computation = Computation::of(&run, effort);
         // A shard does not know the cells along a whole axis.
-        let bounds = if shard == Shard::WHOLE { Bounds::of(&grid) } else { None };
+        let bounds = if shard == Shard::WHOLE { run.install(|| Bounds::of(&grid)) } else { None };
         let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
         if let (Some(folder), Some(checkpoint)) = (&folder, checkpoint) {
-            self.finish(folder.path(), checkpoint, shard, &survey, bounds.as_ref(), &text)?;
+            let beside = || self.beside(shard, &survey, bounds.as_ref(), &text);
+            let cells = shard.cells(grid.cells());
+            finish(folder, checkpoint, shard, cells, run.install(beside)?)?;
         }
         drop((folder, untidy));
         self.say(&survey, bounds.as_ref(), shard, &computation, &text)
     }
 
-    /// Writes all files of the map, or the table of the shard, and removes the unfinished table.
-    fn finish(
+    /// The files beside the table of `shard`: none but of the whole map.
+    fn beside(
         &self,
-        folder: &Path,
-        mut checkpoint: Checkpoint,
         shard: Shard,
         survey: &Survey,
         bounds: Option<&Bounds>,
         text: &str,
-    ) -> Result<(), End> {
-        let place = folder.join(table_name(shard));
-        let mut table = Output::create(&place).map_err(End::input)?;
-        checkpoint.write_table(&mut table, &place)?;
-        let mut outputs = Outputs::of(folder);
-        outputs.add(table).map_err(End::input)?;
-        if shard == Shard::WHOLE {
-            let file = named(self.scene.as_deref().unwrap_or(Path::new(MERGED)));
-            fill(&mut outputs, survey, bounds, text, [&self.command(), &file])?;
+    ) -> Result<Results, End> {
+        if shard != Shard::WHOLE {
+            return Ok(Results::of(Vec::new()));
         }
-        let cells = shard.cells(survey.grid().cells());
-        End::if_interrupted().map_err(|_| kept(&checkpoint, cells))?;
-        outputs.keep().map_err(End::input)?;
-        checkpoint.remove().map_err(End::input)
+        let file = named(self.scene.as_deref().unwrap_or(Path::new(MERGED)));
+        results(survey, bounds, text, [&self.command(), &file])
     }
 
     /// The folder at `path` for the files of `shard`; shards share theirs.
@@ -189,11 +192,7 @@ impl Map {
             End::go_on()
         };
         let sweep =
-            plan.run(self.threads.map(usize::from), &watch).map_err(|error| match error {
-                RunError::Stopped => End::Interrupted,
-                error @ RunError::Threads(_) => End::internal(error),
-                error => self.blame(error),
-            })?;
+            plan.run(self.threads.map(usize::from), &watch).map_err(|error| self.ended(error))?;
         bar.finish_and_clear();
         let text = sweep.document().map_err(End::internal)?;
         if let Some(folder) = folder {
@@ -236,14 +235,21 @@ impl Map {
         bar.finish_and_clear();
         done.map_err(|error| match (error, checkpoint.as_ref()) {
             (RunError::Stopped, Some(checkpoint)) => kept(checkpoint, cells),
-            (RunError::Stopped, None) => End::Interrupted,
             (RunError::Output(error), Some(_)) => {
                 End::input(format!("{error}\n  = then go on with --resume"))
             }
-            (error @ RunError::Threads(_), _) => End::internal(error),
-            (error @ RunError::Cell(_), _) => self.blame(error),
-            (error, _) => End::input(error),
+            (error, _) => self.ended(error),
         })
+    }
+
+    /// End of a map that this error ends.
+    pub(super) fn ended(&self, error: RunError) -> End {
+        match error {
+            RunError::Stopped => End::Interrupted,
+            RunError::Threads(_) => End::internal(error),
+            RunError::Output(error) => End::input(error),
+            RunError::Cell(error) => self.blame(error),
+        }
     }
 
     /// Input error about the map in this file.
@@ -256,7 +262,7 @@ impl Map {
     fn command(&self) -> String {
         let mut text = format!("{} map", program());
         if let (Some(scene), Some(x), Some(y)) = (&self.scene, &self.x, &self.y) {
-            let _ = write!(text, " {} --x {x} --y {y}", scene.display());
+            let _ = write!(text, " {} --x {x} --y {y}", shell_word(&scene.to_string_lossy()));
         }
         format!("{text} --stabilizers {}", self.stabilizers)
     }
@@ -297,6 +303,25 @@ impl Map {
     }
 }
 
+/// Writes all files of the map, or the table of the shard, of which `cells` were asked for, and removes the unfinished table.
+fn finish(
+    folder: &Folder<'_>,
+    mut checkpoint: Checkpoint,
+    shard: Shard,
+    cells: Range<u64>,
+    beside: Results,
+) -> Result<(), End> {
+    let place = folder.path().join(table_name(shard));
+    let mut table = Output::create(&place).map_err(End::input)?;
+    let go_on = || End::if_interrupted().is_ok();
+    let written = checkpoint.write_table(&mut table, &place, &go_on).map_err(End::from);
+    written.and_then(|()| folder.fill(beside.with_rows(table))).map_err(|end| match end {
+        End::Interrupted => kept(&checkpoint, cells),
+        end => end,
+    })?;
+    checkpoint.remove().map_err(End::input)
+}
+
 /// End of an interrupted map, of which `cells` were asked for.
 fn kept(checkpoint: &Checkpoint, cells: Range<u64>) -> End {
     End::Kept(format!(
@@ -307,20 +332,19 @@ fn kept(checkpoint: &Checkpoint, cells: Range<u64>) -> End {
     ))
 }
 
-/// Adds the files beside the table; `command` made them of the file `scene`.
-pub(super) fn fill(
-    outputs: &mut Outputs<'_>,
+/// The files beside the table; `command` made them of the file `scene`.
+pub(super) fn results(
     survey: &Survey,
     bounds: Option<&Bounds>,
     text: &str,
     [command, scene]: [&str; 2],
-) -> Result<(), End> {
+) -> Result<Results, End> {
     let figures = figures(survey, bounds);
     let drawn: Result<Vec<_>, _> =
         figures.par_iter().map(|drawn| pictures(drawn.name, &drawn.figure)).collect();
     let drawn = drawn.map_err(End::internal)?.into_iter().flatten();
-    outputs.put_all(drawn).map_err(End::input)?;
     let page = page(survey, bounds, &figures, command, scene);
-    outputs.put("report.html", page).map_err(End::input)?;
-    outputs.put(RESULTS, text).map_err(End::input)
+    Ok(drawn.fold(Results::new(page, RESULTS, text), |results, (name, bytes)| {
+        results.with_file(name, bytes)
+    }))
 }

@@ -8,10 +8,10 @@ use lyapunov_lab::map::{
 };
 
 use super::folder::Folder;
-use super::map::{MERGED, RESULTS, fill};
-use super::results::names;
-use super::{End, named, print, program};
-use crate::files::{Inputs, Output, Outputs};
+use super::map::{MERGED, RESULTS, results};
+use super::results::{command_line, names};
+use super::{End, named, print};
+use crate::files::{Inputs, Output};
 
 /// Put the shards of a map together.
 ///
@@ -47,13 +47,8 @@ impl Merge {
         })?;
         let bounds = Bounds::of(survey.grid());
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
-        End::if_interrupted()?;
-        folder.keep();
-        let command = format!("{} map merge", program());
-        let mut outputs = Outputs::of(folder.path());
-        outputs.add(output).map_err(End::input)?;
-        fill(&mut outputs, &survey, bounds.as_ref(), &text, [&command, MERGED])?;
-        outputs.keep().map_err(End::input)?;
+        let results = results(&survey, bounds.as_ref(), &text, [&command_line(), MERGED])?;
+        folder.fill(results.with_rows(output))?;
         match (self.json, self.quiet) {
             (true, _) => print(text),
             (_, true) => Ok(()),

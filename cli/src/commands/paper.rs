@@ -12,10 +12,12 @@ use lyapunov_lab::paper::{Case, Draws, FIGURES, PaperError, Study, figures};
 use lyapunov_lab::{Csv, OutputError, Rollout, Scene};
 
 use super::folder::Folder;
-use super::results::names;
-use super::{BAR, End, print, program, shown};
-use crate::files::{Inputs, Outputs};
-use crate::pictures::pictures;
+use super::results::{Results, command_line, names};
+use super::{BAR, End, print, shown};
+use crate::files::Inputs;
+
+/// The file that `--json` prints.
+const RESULTS: &str = "claims.json";
 
 /// Time between two checks for interrupts.
 const BREATH: Duration = Duration::from_millis(50);
@@ -55,16 +57,13 @@ impl From<PaperError> for End {
 impl Paper {
     pub(crate) fn run(&self) -> Result<(), End> {
         let rows = Case::ALL.map(|case| format!("{}.csv", case.name()));
-        let files = names("claims.json", FIGURES, rows);
+        let files = names(RESULTS, FIGURES, rows);
         let folder = Folder::claim(&self.out, files, &Inputs::default())?;
         let bar = shown(ProgressBar::new(Study::STAGES as u64), BAR, self.quiet);
         let draws = Draws { count: self.draws, seed: self.seed };
         let study = studied(draws, bar.clone())?;
         bar.finish_and_clear();
-        folder.keep();
-        let command =
-            format!("{} paper{} --out {}", program(), self.ensemble(), self.out.display());
-        fill(folder.path(), &study, &command)?;
+        folder.fill(results(&study, folder.path())?)?;
         if self.quiet {
             return Ok(());
         }
@@ -74,19 +73,6 @@ impl Paper {
             false => format!("{study}\nreport, figures and the rows behind them are in {files}\n"),
         };
         print(text)
-    }
-
-    /// The arguments that choose the ensemble, where they are not the usual ones.
-    fn ensemble(&self) -> String {
-        let Draws { count, seed } = Draws::default();
-        let mut words = String::new();
-        if self.draws != count {
-            words += &format!(" --draws {}", self.draws);
-        }
-        if self.seed != seed {
-            words += &format!(" --seed {}", self.seed);
-        }
-        words
     }
 }
 
@@ -112,26 +98,22 @@ fn studied(draws: Draws, bar: ProgressBar) -> Result<Study, End> {
     }
 }
 
-/// Writes report, claims, figures and rows before the first appears under its name.
-fn fill(folder: &Path, study: &Study, command: &str) -> Result<(), End> {
+/// Report, claims, figures and rows, for `folder`.
+fn results(study: &Study, folder: &Path) -> Result<Results, End> {
     let refused = |error| End::input(OutputError::new(folder, error));
     let figures = figures()?;
-    let mut files = vec![
-        ("report.html".to_owned(), study.to_html(&figures, command).into_bytes()),
-        ("claims.json".to_owned(), study.to_json()?.into_bytes()),
-    ];
+    let page = study.to_html(&figures, &command_line());
+    let mut results = Results::new(page, RESULTS, &study.to_json()?);
     for (name, figure, _) in &figures {
-        files.extend(pictures(name, figure).map_err(End::internal)?);
+        results = results.with_figure(name, figure)?;
     }
     for case in Case::ALL {
         let scene = case.scene().map_err(End::internal)?;
         let rollout = Rollout::of(&scene).map_err(End::internal)?;
-        let text = csv(&scene, rollout).map_err(refused)?;
-        files.push((format!("{}.csv", case.name()), text));
+        let rows = csv(&scene, rollout).map_err(refused)?;
+        results = results.with_file(format!("{}.csv", case.name()), rows);
     }
-    let mut outputs = Outputs::of(folder);
-    outputs.put_all(files).map_err(End::input)?;
-    outputs.keep().map_err(End::input)
+    Ok(results)
 }
 
 fn csv(scene: &Scene, rollout: Rollout) -> io::Result<Vec<u8>> {

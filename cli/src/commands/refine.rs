@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use indicatif::ProgressBar;
-use lyapunov_lab::map::{Bounds, Grid, Refined, Run, RunError};
+use lyapunov_lab::map::{Bounds, Grid, Refined, Run};
 
 use super::folder::Folder;
 use super::map::Map;
@@ -27,14 +27,11 @@ impl Map {
             bar.inc(judged);
             End::if_interrupted().is_ok()
         };
-        let refined = Refined::of(run, &watch).map_err(|error| match error {
-            RunError::Stopped => End::Interrupted,
-            error => self.blame(error),
-        })?;
+        let refined = Refined::of(run, &watch).map_err(|error| self.ended(error))?;
         bar.finish_and_clear();
         let text = refined.document().map_err(End::internal)?;
         if let Some(folder) = folder {
-            let bounds = Bounds::of(grid);
+            let bounds = run.install(|| Bounds::of(grid));
             let page = refined.to_html(bounds.as_ref(), &command_line());
             let results = Results::new(page, RESULTS, &text).with_file("judged.csv", refined.csv());
             folder.fill(results.with_figure("edge", &refined.figure(bounds.as_ref()))?)?;

@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use lyapunov_figures::Figure;
+use lyapunov_lab::shell_word;
 
 use super::{End, arguments, program};
 use crate::files::Output;
@@ -19,8 +20,12 @@ pub(crate) struct Results {
 impl Results {
     /// The page, and the JSON under `name`.
     pub(crate) fn new(page: String, name: &str, json: &str) -> Self {
-        let page = ("report.html".to_owned(), page.into_bytes());
-        Self { files: vec![page, (name.to_owned(), json.into())], streamed: None }
+        Self::of(Vec::new()).with_file("report.html", page).with_file(name, json)
+    }
+
+    /// These files, each given by name and bytes, without a page.
+    pub(crate) fn of(files: Vec<(String, Vec<u8>)>) -> Self {
+        Self { files, streamed: None }
     }
 
     /// The same with a figure, as SVG and as PNG.
@@ -30,8 +35,8 @@ impl Results {
     }
 
     /// The same with a file more.
-    pub(crate) fn with_file(mut self, name: impl Into<String>, text: impl Into<String>) -> Self {
-        self.files.push((name.into(), text.into().into_bytes()));
+    pub(crate) fn with_file(mut self, name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
+        self.files.push((name.into(), bytes.into()));
         self
     }
 
@@ -55,14 +60,6 @@ pub(crate) fn names(
 
 /// The command as it was called, for the head of a page.
 pub(crate) fn command_line() -> String {
-    let is_plain = |word: &str| {
-        let plain = |it: char| it.is_alphanumeric() || "-_./=,:+".contains(it);
-        !word.is_empty() && word.chars().all(plain)
-    };
-    let quoted = |word: String| match is_plain(&word) {
-        true => word,
-        false => format!("'{}'", word.replace('\'', "'\\''")),
-    };
-    let given = arguments().map(|word| quoted(word.to_string_lossy().into_owned()));
+    let given = arguments().map(|word| shell_word(&word.to_string_lossy()));
     std::iter::once(program().to_owned()).chain(given).collect::<Vec<_>>().join(" ")
 }

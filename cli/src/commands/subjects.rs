@@ -10,8 +10,8 @@ use lyapunov_lab::teleoperation::Teleoperator;
 use super::compare::{Compare, RESULTS, names};
 use super::folder::Folder;
 use super::left_out::LeftOut;
-use super::results::{self, Results};
-use super::{End, named, print, program};
+use super::results::{self, Results, command_line};
+use super::{End, named, print};
 use crate::files::Inputs;
 
 /// Files to compare, each under the path as it was given.
@@ -87,7 +87,7 @@ pub(super) fn run<C: Compared>(
     let text = C::document(&comparisons).map_err(End::internal)?;
     let sheets: Vec<Sheet> = comparisons.iter().map(C::sheet).collect();
     if let Some(folder) = folder {
-        fill::<C>(&folder, &asked.scenes, &sheets, &text)?;
+        fill::<C>(&folder, &sheets, &text)?;
     }
     if asked.json {
         print(text)?;
@@ -97,16 +97,8 @@ pub(super) fn run<C: Compared>(
     left_out.end()
 }
 
-fn fill<C: Compared>(
-    folder: &Folder<'_>,
-    files: &[PathBuf],
-    sheets: &[Sheet],
-    text: &str,
-) -> Result<(), End> {
-    let given: Vec<String> = files.iter().map(|path| path.display().to_string()).collect();
-    let command =
-        format!("{} compare {} --out {}", program(), given.join(" "), folder.path().display());
-    let mut results = Results::new(page::<C>(sheets, &command), RESULTS, text);
+fn fill<C: Compared>(folder: &Folder<'_>, sheets: &[Sheet], text: &str) -> Result<(), End> {
+    let mut results = Results::new(page::<C>(sheets, &command_line()), RESULTS, text);
     for (name, sheet) in names(sheets.iter().map(|sheet| &sheet.name[..])).iter().zip(sheets) {
         End::if_interrupted()?;
         results = results.with_figure(name, &sheet.figure)?;

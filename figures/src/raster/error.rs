@@ -24,10 +24,16 @@ impl fmt::Display for ChartError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Scale { scale } => {
-                write!(formatter, "scale {scale} is not a positive finite number")
+                write!(
+                    formatter,
+                    "scale {scale} is not a positive finite number\n  = give one above 0, such as 2"
+                )
             }
             Self::TooLarge { width, height } => {
-                write!(formatter, "a picture of {width} by {height} pixels is too large")
+                write!(
+                    formatter,
+                    "a picture of {width} by {height} pixels is too large\n  = give a smaller scale"
+                )
             }
         }
     }

@@ -5,6 +5,7 @@ pub(crate) mod excerpt;
 mod file_name;
 pub(crate) mod names;
 pub(crate) mod numbers;
+mod shell;
 pub(crate) mod suggest;
 pub(crate) mod words;
 
@@ -13,5 +14,6 @@ pub use excerpt::legible;
 pub(crate) use excerpt::shorten;
 pub(crate) use file_name::file_name;
 pub(crate) use numbers::{found, given};
+pub use shell::shell_word;
 pub(crate) use suggest::nearest;
 pub(crate) use words::{folded, listed, shortened_names};

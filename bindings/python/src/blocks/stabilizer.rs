@@ -73,16 +73,9 @@ impl Stabilizer {
 /// The stabilizer of a recipe.
 fn made<V: Signal<Scalar = f64>>(recipe: &Recipe, raised: &Raised) -> PyResult<Made<V>> {
     let object = Python::attach(|py| recipe.object.as_ref().map(|object| object.clone_ref(py)));
-    let mut candidate = Some(Recipe::candidate(recipe.damping, object, raised)?);
-    // The candidate is made first, as it may be one of Python's.
-    let taken = || {
-        candidate.take().ok_or(lyapunov::ParameterError {
-            parameter: "candidate",
-            value: f64::NAN,
-            requirement: lyapunov::Requirement::Finite,
-        })
-    };
-    recipe.make(taken).map_err(errors::parameter)
+    // It is made first, as it may be one of Python's.
+    let candidate = Recipe::candidate(recipe.damping, object, raised)?;
+    recipe.make(|| Ok(candidate)).map_err(errors::parameter)
 }
 
 #[pymethods]

@@ -8,6 +8,7 @@ use indicatif::ProgressBar;
 use lyapunov_lab::hard::faults::{SPACING, sweep};
 use lyapunov_lab::hard::soak::{Soak, breach};
 use lyapunov_lab::scene::Scene;
+use lyapunov_lab::shell_word;
 
 use super::Hard;
 use crate::commands::folder::Folder;
@@ -93,10 +94,12 @@ impl Hard {
             if spent < span { End::go_on() } else { ControlFlow::Break(()) }
         });
         bar.finish_and_clear();
-        let command = format!("{} hard {}", program(), out.join(FOUND).display());
+        let file = out.join(FOUND);
+        let command = format!("{} hard {}", program(), shell_word(&file.to_string_lossy()));
         if let Some(found) = &soaked.found {
             let file = (FOUND.to_owned(), found.file(&command).into_bytes());
-            folder.fill(Results { files: vec![file], streamed: None })?;
+            // It may have been found after hours.
+            folder.keep_all(Results::of(vec![file]))?;
         }
         if !self.quiet {
             let json = || soaked.document().map_err(End::internal);

@@ -107,10 +107,12 @@ impl Comparison {
         entrants: &Entrants<V>,
         watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
     ) -> Result<Self, CompareError> {
-        let refused = |stabilizer: &str, error| CompareError::Parameter {
-            stabilizer: stabilizer.to_owned(),
-            scene: name.to_owned(),
-            error,
+        let refused = |stabilizer: &str, reason| match reason {
+            RunError::Parameter(error) => {
+                let (stabilizer, scene) = (stabilizer.to_owned(), name.to_owned());
+                CompareError::Parameter { stabilizer, scene, error }
+            }
+            RunError::Stopped => CompareError::Stopped,
         };
         let mut named = entrants.entries().iter().filter_map(|entrant| entrant.like);
         named
@@ -119,16 +121,13 @@ impl Comparison {
         let runs = runs(scene, entrants, watch);
         let (mut scores, mut shown, mut samples) = (Vec::new(), Vec::new(), Vec::new());
         for (run, entry) in runs.into_iter().zip(entrants.names()) {
-            let run = run.map_err(|reason| match reason {
-                RunError::Parameter(error) => refused(entry, error),
-                RunError::Stopped => CompareError::Stopped,
-            })?;
+            let run = run.map_err(|reason| refused(entry, reason))?;
             scores.push(run.score);
             shown.push((run.curves, run.look_at));
             samples.push(run.samples);
         }
         // By now nothing else runs here.
-        let times = cost::of(scene, entrants.entries(), &samples)
+        let times = cost::of(scene, entrants.entries(), &samples, watch)
             .map_err(|error| refused("a stabilizer", error))?;
         for (score, time) in scores.iter_mut().zip(times) {
             score.step_time = time;

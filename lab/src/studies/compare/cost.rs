@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 
 use lyapunov::{Correction, ParameterError, PortSample};
 
+use super::compared::RunError;
+use super::entrant_run::Watch;
 use super::entrants::Entrant;
 use super::score::StepTime;
 use crate::files::Scene;
@@ -31,12 +33,13 @@ pub(super) type Samples<V> = Vec<(PortSample<V>, V)>;
 /// A pass over the samples starts with a fresh stabilizer; making it is not timed.
 ///
 /// # Errors
-/// A stabilizer that cannot be made.
+/// A stabilizer that cannot be made; [`RunError::Stopped`] if `watch` says so.
 pub(super) fn of<V: Space>(
     scene: &Scene,
     entrants: &[Entrant<V>],
     samples: &[Samples<V>],
-) -> Result<Vec<Option<StepTime>>, ParameterError> {
+    watch: &Watch<'_>,
+) -> Result<Vec<Option<StepTime>>, RunError> {
     // One pass before the rounds warms up, and tells how many make a round.
     let passes = entrants.iter().zip(samples).map(|(entrant, samples)| {
         let one = replay(scene, entrant, samples, 1)?;
@@ -45,9 +48,12 @@ pub(super) fn of<V: Space>(
     });
     let passes = passes.collect::<Result<Vec<_>, ParameterError>>()?;
     let times = Rounds::of(entrants.len(), ROUNDS, |_, at| {
+        if watch(0).is_break() {
+            return Err(RunError::Stopped);
+        }
         let (samples, passes) = (&samples[at], passes[at]);
         let elapsed = replay(scene, &entrants[at], samples, passes)?;
-        Ok::<_, ParameterError>(elapsed.as_secs_f64() * 1e9 / (passes * samples.len()) as f64)
+        Ok(elapsed.as_secs_f64() * 1e9 / (passes * samples.len()) as f64)
     })?;
     let told = samples.iter().enumerate().map(|(at, samples)| {
         let ([_, median, _], [min, max]) = (times.quartiles(at), times.extremes(at));

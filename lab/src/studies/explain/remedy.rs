@@ -105,6 +105,9 @@ fn faster<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
     let own = scene.servo_rate.get();
     let ratios = (1..scene.environment_ratio()).rev();
     for ratio in ratios {
+        if watch(0).is_break() {
+            return None;
+        }
         let Some(faster) = at(own, ratio) else { continue };
         let rate = if ratio > 1 { own / ratio as f64 } else { own };
         let change = vec![("environment_rate".to_owned(), Change::Number(rate))];

@@ -137,7 +137,11 @@ impl FromStr for Axis {
         if spacing == Spacing::Logarithmic && from <= 0.0 {
             return no(format!("a logarithmic range begins above 0, not at {from}"));
         }
-        if !(to - from).is_finite() {
+        let width = match spacing {
+            Spacing::Linear => to - from,
+            Spacing::Logarithmic => to / from,
+        };
+        if !width.is_finite() {
             return no(format!("the range {from}..{to} is wider than numbers can tell"));
         }
         Ok(Self { key: key.to_owned(), from, to, count, spacing })

@@ -44,6 +44,8 @@ pub enum CheckpointError {
     Table(PathBuf, TableError),
     /// The place cannot be written to.
     Output(OutputError),
+    /// The caller did not want to go on.
+    Stopped,
 }
 
 impl From<OutputError> for CheckpointError {
@@ -82,6 +84,7 @@ impl fmt::Display for CheckpointError {
                 write!(f, "{}: {error}\n  = {remedy}", path.display())
             }
             Self::Output(error) => error.fmt(f),
+            Self::Stopped => f.write_str("the reading of an unfinished map was stopped"),
         }
     }
 }
@@ -104,17 +107,18 @@ fn part_name(shard: Shard) -> String {
 
 impl Checkpoint {
     /// Begins the table of `shard` of `grid` in `folder`, or resumes the one that is there if `resume` is set, and adds
-    /// the cells that it has to `survey`.
+    /// the cells that it has to `survey`; polls `go_on` now and then.
     ///
     /// # Errors
     /// An unfinished table without `resume`, one that another process works on, the table of another map, a row that was
-    /// changed, and a place that cannot be written to.
+    /// changed, a place that cannot be written to, and [`CheckpointError::Stopped`] if `go_on` returns false.
     pub fn open(
         folder: &Path,
         grid: &Grid,
         shard: Shard,
         resume: bool,
         survey: &mut Survey,
+        go_on: &dyn Fn() -> bool,
     ) -> Result<Self, CheckpointError> {
         let part = folder.join(part_name(shard));
         let cells = shard.cells(grid.cells());
@@ -133,7 +137,8 @@ impl Checkpoint {
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(CheckpointError::InUse(part));
         }
-        let begun = if is_there { read(&part, &file, grid, &head, &cells, survey)? } else { None };
+        let begun =
+            if is_there { read(&part, &file, grid, &head, &cells, survey, go_on)? } else { None };
         let text = head.unfinished_text();
         let (next, bytes) = begun.unwrap_or((cells.start, 0));
         // What was cut off is written anew.
@@ -180,14 +185,16 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Writes the finished table, which has no checksums, to `out`, which is at `place`.
+    /// Writes the finished table, which has no checksums, to `out`, which is at `place`; polls `go_on` now and then.
     ///
     /// # Errors
-    /// A row that has changed since it was written, and errors of the file system.
+    /// A row that has changed since it was written, errors of the file system, and [`CheckpointError::Stopped`] if `go_on`
+    /// returns false.
     pub fn write_table(
         &mut self,
         out: &mut impl Write,
         place: &Path,
+        go_on: &dyn Fn() -> bool,
     ) -> Result<(), CheckpointError> {
         let wrong = |error: TableError| CheckpointError::Table(self.part.clone(), error);
         let unreadable = |error: io::Error| wrong(TableError::Unreadable(error));
@@ -198,6 +205,9 @@ impl Checkpoint {
         out.write_all(self.head.text().as_bytes()).map_err(refuse)?;
         let (mut line, seal) = (Vec::new(), self.head.seal());
         for row in 1.. {
+            if row % SHARE as u64 == 0 && !go_on() {
+                return Err(CheckpointError::Stopped);
+            }
             line.clear();
             if !table::next_line(&mut lines, &mut line).map_err(unreadable)? {
                 break;
@@ -241,6 +251,7 @@ fn read(
     head: &TableHeader,
     cells: &Range<u64>,
     survey: &mut Survey,
+    go_on: &dyn Fn() -> bool,
 ) -> Result<Option<(u64, u64)>, CheckpointError> {
     let wrong = |error: TableError| CheckpointError::Table(path.to_owned(), error);
     let unreadable = |error: io::Error| wrong(TableError::Unreadable(error));
@@ -256,6 +267,9 @@ fn read(
     let mut rows = Rows::unfinished(lines, grid.clone(), cells.start, head);
     let mut next = cells.start;
     while next < cells.end {
+        if next % SHARE as u64 == 0 && !go_on() {
+            return Err(CheckpointError::Stopped);
+        }
         match rows.next_cell() {
             Ok(None) => break,
             Ok(Some((cell, outcomes))) => {

@@ -11,6 +11,7 @@ use crate::measure::Verdict;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 use crate::show::verdict::by_speed;
+use crate::text::shell_word;
 
 /// The page of a map with its `figures`, as HTML; `command` made the map of the file `scene`.
 pub fn page(
@@ -71,7 +72,9 @@ fn axes(survey: &Survey, scene: &str) -> Markup {
         json!({ "key": axis.key, "name": label(axis), "values": values })
     };
     let several = columns as u64 != grid.x.count || rows as u64 != grid.y.count;
-    let command = format!("lyapunov map {}", word_of_a_shell(scene));
+    // Else it would be taken for an option.
+    let path = if scene.starts_with('-') { format!("./{scene}") } else { scene.to_owned() };
+    let command = format!("lyapunov map {}", shell_word(&path));
     html::values(
         "axes",
         &json!({
@@ -88,16 +91,6 @@ fn middle(axis: &Axis, element: usize, elements: usize) -> u64 {
     let first = |element: u64| (element * axis.count).div_ceil(elements as u64);
     let element = element as u64;
     first(element).midpoint(first(element + 1) - 1)
-}
-
-/// The path as one word of a shell.
-fn word_of_a_shell(path: &str) -> String {
-    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "_-./".contains(letter);
-    let path = if path.starts_with('-') { format!("./{path}") } else { path.to_owned() };
-    if !path.is_empty() && path.chars().all(is_plain) {
-        return path;
-    }
-    format!("'{}'", path.replace('\'', "'\\''"))
 }
 
 /// Tables of areas and of what is rendered, for the terminal, with the axes and the unit.

@@ -43,8 +43,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// A value of an axis that the scene does not allow; threads that cannot be started.
     pub fn of(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
-        grid.check().map_err(GridError::from)?;
-        Self::by(grid, Method::of(grid, &grid.tile(0))?, threads)
+        Self::by(grid, || Method::of(grid, &grid.tile(0)), threads)
     }
 
     /// The same with each cell run by itself, whatever parts the scene has.
@@ -52,8 +51,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// The errors of [`Run::of`].
     pub fn one_by_one(grid: &'a Grid, threads: Option<usize>) -> Result<Self, RunError> {
-        grid.check().map_err(GridError::from)?;
-        Self::by(grid, Method::Single, threads)
+        Self::by(grid, || Ok(Method::Single), threads)
     }
 
     /// The same with lanes of boxes on `instructions`, whatever parts the scene has; cells that nothing is like run one by
@@ -66,16 +64,20 @@ impl<'a> Run<'a> {
         instructions: Instructions,
         threads: Option<usize>,
     ) -> Result<Self, RunError> {
-        grid.check().map_err(GridError::from)?;
-        Self::by(grid, Method::Lanes(instructions), threads)
+        Self::by(grid, || Ok(Method::Lanes(instructions)), threads)
     }
 
-    fn by(grid: &'a Grid, method: Method, threads: Option<usize>) -> Result<Self, RunError> {
+    fn by(
+        grid: &'a Grid,
+        method: impl FnOnce() -> Result<Method, RunError>,
+        threads: Option<usize>,
+    ) -> Result<Self, RunError> {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.unwrap_or_default())
             .build()
             .map_err(|error| RunError::Threads(error.to_string()))?;
-        Ok(Self { grid, method, pool })
+        pool.install(|| grid.check()).map_err(GridError::from)?;
+        Ok(Self { grid, method: method()?, pool })
     }
 
     /// The grid of the map.
@@ -91,6 +93,11 @@ impl<'a> Run<'a> {
     /// The number of threads.
     pub fn threads(&self) -> usize {
         self.pool.current_num_threads()
+    }
+
+    /// Does other work for the map on the same threads.
+    pub fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.pool.install(work)
     }
 
     /// Computes `cells` and passes them to `put` in their order, a band at a time, in the pool of its threads; polls `go_on`

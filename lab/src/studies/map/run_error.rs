@@ -23,7 +23,9 @@ impl fmt::Display for RunError {
         match self {
             Self::Cell(error) => error.fmt(f),
             Self::Output(error) => error.fmt(f),
-            Self::Threads(error) => write!(f, "no threads: {error}"),
+            Self::Threads(error) => {
+                write!(f, "threads cannot be started: {error}\n  = give fewer with --threads")
+            }
             Self::Stopped => f.write_str("the map was stopped"),
         }
     }

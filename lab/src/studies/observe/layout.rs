@@ -100,7 +100,7 @@ impl Layout {
         let (heading, written) = (shorten(heading), shorten(written));
         let message = format!("the column `{heading}`: `{written}` is no unit of {quantity}");
         ObserveError::at(name, self.line, message).with_help(format!(
-            "the units are {symbols}; for another, give its factor to SI, as in --scale {letter}=1e-3, and              {letter}=1 where it is SI"
+            "the units are {symbols}; for another, give its factor to SI, as in --scale {letter}=1e-3, and {letter}=1 where it is SI"
         ))
     }
 

@@ -5,7 +5,6 @@ use lyapunov_figures::{Figure, Numbering, PALETTE, Panel, Series};
 use super::Sweep;
 use crate::measure::Verdict;
 use crate::studies::compare::{Column, Score};
-use crate::studies::map::axis::Spacing;
 use crate::studies::map::picture::{Shown, label};
 use crate::text::file_name;
 
@@ -30,10 +29,11 @@ impl Sweep {
     /// The verdict at each value, a row for each stabilizer.
     pub fn verdicts(&self) -> Figure {
         let names = self.stabilizers.iter().map(|member| member.name().to_owned()).collect();
+        let shown = Shown::of(&self.x);
         let panel = Verdict::ALL.into_iter().fold(self.panel("verdict", ""), |panel, verdict| {
             let points = self.points.iter().flat_map(|point| {
                 let told = point.scores.iter().enumerate().filter(|(_, it)| it.verdict == verdict);
-                told.map(|(row, _)| (self.place(point.value), -(row as f64))).collect::<Vec<_>>()
+                told.map(|(row, _)| (shown.place(point.value), -(row as f64))).collect::<Vec<_>>()
             });
             let points: Vec<(f64, f64)> = points.collect();
             if points.is_empty() {
@@ -85,9 +85,10 @@ impl Sweep {
                 None => curves.push((member.name().to_owned(), values)),
             }
         }
+        let shown = Shown::of(&self.x);
         let placed = |values: Vec<Option<f64>>| {
             let points = self.points.iter().zip(values);
-            points.map(|(at, value)| (self.place(at.value), value.unwrap_or(f64::NAN))).collect()
+            points.map(|(at, value)| (shown.place(at.value), value.unwrap_or(f64::NAN))).collect()
         };
         curves.into_iter().map(|(names, values)| (names, placed(values))).collect()
     }
@@ -97,12 +98,5 @@ impl Sweep {
         Panel::new(title, label(&self.x), of)
             .with_numbers(shown.numbering, Numbering::Plain)
             .with_x_range(shown.range.0, shown.range.1)
-    }
-
-    fn place(&self, value: f64) -> f64 {
-        match self.x.spacing {
-            Spacing::Linear => value,
-            Spacing::Logarithmic => libm::log10(value),
-        }
     }
 }
