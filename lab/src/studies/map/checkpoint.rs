@@ -205,7 +205,7 @@ impl Checkpoint {
         out.write_all(self.head.text().as_bytes()).map_err(refuse)?;
         let (mut line, seal) = (Vec::new(), self.head.seal());
         for row in 1.. {
-            if row % SHARE as u64 == 0 && !go_on() {
+            if u64::is_multiple_of(row, SHARE as u64) && !go_on() {
                 return Err(CheckpointError::Stopped);
             }
             line.clear();
@@ -267,7 +267,7 @@ fn read(
     let mut rows = Rows::unfinished(lines, grid.clone(), cells.start, head);
     let mut next = cells.start;
     while next < cells.end {
-        if next % SHARE as u64 == 0 && !go_on() {
+        if next.is_multiple_of(SHARE as u64) && !go_on() {
             return Err(CheckpointError::Stopped);
         }
         match rows.next_cell() {
