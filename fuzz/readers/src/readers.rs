@@ -140,7 +140,7 @@ pub(crate) fn written_table() -> Vec<u8> {
     let part = folder.join(table_name(shard).replace(".csv", ".part.csv"));
     // A run before may have been killed.
     let _gone = fs::remove_file(&part);
-    let begun = Checkpoint::open(&folder, &grid, shard, false, &mut survey);
+    let begun = Checkpoint::open(&folder, &grid, shard, false, &mut survey, &|| true);
     drop(begun.expect("an empty folder"));
     let text = fs::read(&part).expect("a file");
     fs::remove_file(&part).expect("it is there");
@@ -152,7 +152,7 @@ fn unfinished(bytes: &[u8]) {
     let (folder, mut survey) = (scratch(), Survey::of(&grid));
     let part = folder.join(table_name(shard).replace(".csv", ".part.csv"));
     fs::write(&part, bytes).expect("a file");
-    if let Ok(checkpoint) = Checkpoint::open(&folder, &grid, shard, true, &mut survey) {
+    if let Ok(checkpoint) = Checkpoint::open(&folder, &grid, shard, true, &mut survey, &|| true) {
         assert!(checkpoint.next() <= grid.cells());
         // What is taken was written by this program: random bytes have no right checksum.
         assert_eq!(survey.judged(0), checkpoint.next());
