@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::observe::{self, Asked, Candidate, Columns, Observed, Scale, Settings};
 use lyapunov_lab::scene::Scene;
@@ -41,8 +41,8 @@ pub(crate) struct Observe {
     scale: Vec<Scale>,
     /// The candidate whose decrease is summed, in the words of scene files; spring is the port's energy, as in
     /// POPC.
-    #[arg(long, value_enum, default_value_t = Word::Spring)]
-    candidate: Word,
+    #[arg(long, default_value = Candidate::NAMES[0], value_parser = Candidate::NAMES)]
+    candidate: String,
     /// The damping that device-damping and mass-spring-damper credit, N·s/m.
     #[arg(long, value_name = "B", allow_negative_numbers = true)]
     damping: Option<f64>,
@@ -71,20 +71,13 @@ pub(crate) struct Observe {
     quiet: bool,
 }
 
-/// The candidates in the words of scene files.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Word {
-    Spring,
-    DeviceDamping,
-    MassSpringDamper,
-}
-
 impl Observe {
     pub(crate) fn run(&self) -> Result<(), End> {
         let settings = Settings {
             columns: self.columns.clone(),
             scales: self.scale.clone(),
-            candidate: self.candidate()?,
+            candidate: Candidate::named(&self.candidate, self.damping, self.surface)
+                .map_err(End::input)?,
             contact: self.contact,
             asked: self.asked()?,
         };
@@ -126,30 +119,6 @@ impl Observe {
         };
         let scene = Scene::load(path).map_err(End::input)?;
         Ok(Some(Asked { stabilizers, scene, name: named(path) }))
-    }
-
-    fn candidate(&self) -> Result<Candidate, End> {
-        let unused = |option: &str, word: &str| {
-            let remedy = "leave it out, or choose another --candidate";
-            End::input(format!("--{option} means nothing to the candidate {word}\n  = {remedy}"))
-        };
-        let missing = |option: &str, word: &str, example: &str| {
-            let remedy = format!("add it, as in --{option} {example}");
-            End::input(format!("the candidate {word} needs --{option}\n  = {remedy}"))
-        };
-        match (self.candidate, self.damping, self.surface) {
-            (Word::Spring, None, None) => Ok(Candidate::Spring),
-            (Word::Spring, Some(_), _) => Err(unused("damping", "spring")),
-            (Word::Spring, None, Some(_)) => Err(unused("surface", "spring")),
-            (Word::DeviceDamping, None, _) => Err(missing("damping", "device-damping", "0.1")),
-            (Word::DeviceDamping, _, Some(_)) => Err(unused("surface", "device-damping")),
-            (Word::DeviceDamping, Some(damping), None) => Ok(Candidate::DeviceDamping { damping }),
-            (Word::MassSpringDamper, None, _) => Err(missing("damping", "mass-spring-damper", "2")),
-            (Word::MassSpringDamper, _, None) => Err(missing("surface", "mass-spring-damper", "0")),
-            (Word::MassSpringDamper, Some(damping), Some(surface)) => {
-                Ok(Candidate::MassSpringDamper { damping, surface })
-            }
-        }
     }
 
     fn tell(&self, observed: &Observed) -> Result<(), End> {

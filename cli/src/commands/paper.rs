@@ -9,11 +9,11 @@ use std::time::Duration;
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::paper::{Case, Draws, FIGURES, PaperError, Study, figures};
-use lyapunov_lab::{Csv, OutputError, Rollout, Scene};
+use lyapunov_lab::{Csv, OutputError, Rollout, Scene, shell_word};
 
 use super::folder::Folder;
-use super::results::{Results, command_line, names};
-use super::{BAR, End, print, shown};
+use super::results::{Results, names};
+use super::{BAR, End, print, program, shown};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -63,7 +63,7 @@ impl Paper {
         let draws = Draws { count: self.draws, seed: self.seed };
         let study = studied(draws, bar.clone())?;
         bar.finish_and_clear();
-        folder.fill(results(&study, folder.path())?)?;
+        folder.fill(results(&study, folder.path(), &self.command())?)?;
         if self.quiet {
             return Ok(());
         }
@@ -73,6 +73,19 @@ impl Paper {
             false => format!("{study}\nreport, figures and the rows behind them are in {files}\n"),
         };
         print(text)
+    }
+
+    /// The command that makes the same files, whatever it prints.
+    fn command(&self) -> String {
+        let Draws { count, seed } = Draws::default();
+        let mut command = format!("{} paper", program());
+        if self.draws != count {
+            command += &format!(" --draws {}", self.draws);
+        }
+        if self.seed != seed {
+            command += &format!(" --seed {}", self.seed);
+        }
+        format!("{command} --out {}", shell_word(&self.out.to_string_lossy()))
     }
 }
 
@@ -99,10 +112,10 @@ fn studied(draws: Draws, bar: ProgressBar) -> Result<Study, End> {
 }
 
 /// Report, claims, figures and rows, for `folder`.
-fn results(study: &Study, folder: &Path) -> Result<Results, End> {
+fn results(study: &Study, folder: &Path, command: &str) -> Result<Results, End> {
     let refused = |error| End::input(OutputError::new(folder, error));
     let figures = figures()?;
-    let page = study.to_html(&figures, &command_line());
+    let page = study.to_html(&figures, command);
     let mut results = Results::new(page, RESULTS, &study.to_json()?);
     for (name, figure, _) in &figures {
         results = results.with_figure(name, figure)?;

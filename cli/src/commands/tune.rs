@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::ProgressBar;
-use lyapunov_lab::family::{StabilizerName, StabilizerNames};
+use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::scene::Scene;
 use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, figure, page, table};
 
@@ -69,7 +69,8 @@ impl Tune {
         let Self { objective, trials, runs, seed, .. } = *self;
         let tuning = Tuning { objective, trials, runs, seed, ..Tuning::default() };
         let name = named(&self.scene);
-        self.has_numbers(&name, &scene)?;
+        Tuning::check(&self.stabilizers.on(&scene), &scene)
+            .map_err(|error| End::input(format_args!("{name}: {error}")))?;
         let tuned = tune(&tuning, &name, &scene, &self.stabilizers, self.quiet)?;
         let text = document(&name, &tuning, &tuned).map_err(End::internal)?;
         if let Some(folder) = folder {
@@ -94,23 +95,6 @@ impl Tune {
                 print(said)
             }
         }
-    }
-}
-
-impl Tune {
-    /// Error if none of the stabilizers has a number to tune.
-    fn has_numbers(&self, name: &str, scene: &Scene) -> Result<(), End> {
-        let named = self.stabilizers.on(scene);
-        let searched = |member: &StabilizerName| {
-            member.parameters(scene).iter().any(|parameter| parameter.search.is_some())
-        };
-        if named.iter().any(searched) {
-            return Ok(());
-        }
-        Err(End::input(format!(
-            "{name}: nothing to tune: no number of {named} has a range to search here\n  \
-             = name a stabilizer with numbers, such as popc; docs/family.md lists them"
-        )))
     }
 }
 

@@ -67,10 +67,13 @@ fn options_out_of_range_are_refused_with_a_remedy() {
         (&["--contact", "-1"], "the contact threshold is -1 N"),
         (&["--contact", "nan"], "finite force"),
         (&["--damping", "1"], "means nothing to the candidate spring"),
-        (&["--candidate", "device-damping"], "needs --damping"),
+        (&["--candidate", "device-damping"], "needs a damping"),
         (&["--candidate", "device-damping", "--damping", "-2"], "the damping is -2 N.s/m"),
-        (&["--candidate", "device-damping", "--damping", "1", "--surface", "0"], "--surface means"),
-        (&["--candidate", "mass-spring-damper", "--damping", "1"], "needs --surface"),
+        (
+            &["--candidate", "device-damping", "--damping", "1", "--surface", "0"],
+            "the surface means",
+        ),
+        (&["--candidate", "mass-spring-damper", "--damping", "1"], "needs a surface"),
         (
             &["--candidate", "mass-spring-damper", "--damping", "1", "--surface", "inf"],
             "surface is",

@@ -26,7 +26,7 @@ pub(crate) fn accuracy(
     let Scene { scene, name } = scene.get().clone();
     if let Some(metres) = target.filter(|metres| !(*metres > 0.0 && metres.is_finite())) {
         return Err(errors::input(format!(
-            "target is {metres:?}: an error is a length in m that is greater than 0 and finite"
+            "target is {metres:?}: an error is a length in m that is greater than 0 and finite\n  = give one, for example 1e-9"
         )));
     }
     wait(py, progress, PARTS, move |watched| {

@@ -50,7 +50,7 @@ pub(crate) fn observe(
     let settings = Settings {
         columns: columns.map_err(errors::input)?,
         scales: scales.collect::<Result<_, _>>().map_err(errors::input)?,
-        candidate: chosen(candidate, damping, surface)?,
+        candidate: Candidate::named(candidate, damping, surface).map_err(errors::input)?,
         contact,
         asked,
     };
@@ -78,20 +78,6 @@ pub(crate) fn observe(
             ..Told::default()
         })
     })
-}
-
-fn chosen(word: &str, damping: Option<f64>, surface: Option<f64>) -> PyResult<Candidate> {
-    match (word, damping, surface) {
-        ("spring", None, None) => Ok(Candidate::Spring),
-        ("device-damping", Some(damping), None) => Ok(Candidate::DeviceDamping { damping }),
-        ("mass-spring-damper", Some(damping), Some(surface)) => {
-            Ok(Candidate::MassSpringDamper { damping, surface })
-        }
-        _ => Err(errors::input(format!(
-            "the candidate {word} does not go with these numbers\n  = give spring alone, device-damping with damping, or \
-             mass-spring-damper with damping and surface"
-        ))),
-    }
 }
 
 /// A log that counts what is read of it, and ends at an interrupt.

@@ -36,15 +36,7 @@ pub(crate) fn tune(
         seed: seed.unwrap_or(usual.seed),
         ..usual
     };
-    let searched = |name: &lyapunov_lab::family::StabilizerName| {
-        name.parameters(&scene).iter().any(|parameter| parameter.search.is_some())
-    };
-    if !names.iter().any(searched) {
-        return Err(errors::input(format!(
-            "{name}: nothing to tune: no number of {names} has a range to search here\n  \
-             = name a stabilizer with numbers, such as popc; docs/family.md lists them"
-        )));
-    }
+    Tuning::check(&names, &scene).map_err(|error| errors::input(format!("{name}: {error}")))?;
     wait(py, progress, names.len() as u64 * tuning.rollouts(), move |watched| {
         let tuned = names.iter().map(|who| {
             tuning.of(&scene, *who, &|runs| watched.add(runs)).map_err(|error| match error {

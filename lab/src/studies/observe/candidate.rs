@@ -28,6 +28,42 @@ pub enum Candidate {
 }
 
 impl Candidate {
+    /// The words that name candidates.
+    pub const NAMES: [&'static str; 3] = ["spring", "device-damping", "mass-spring-damper"];
+
+    /// The candidate called `word`, with the numbers that it takes: a damping in N·s/m, the position of a surface in m.
+    ///
+    /// # Errors
+    /// A word that names none; a number too few or too many.
+    pub fn named(
+        word: &str,
+        damping: Option<f64>,
+        surface: Option<f64>,
+    ) -> Result<Self, ObserveError> {
+        let unused = |number: &str| {
+            let problem = format!("the {number} means nothing to the candidate {word}");
+            Err(ObserveError::new(problem).with_help("leave it out, or choose another candidate"))
+        };
+        let missing = |number: &str, example: &str| {
+            let problem = format!("the candidate {word} needs a {number}");
+            Err(ObserveError::new(problem).with_help(format!("add one, such as {example}")))
+        };
+        match (word, damping, surface) {
+            ("spring", None, None) => Ok(Self::Spring),
+            ("spring", Some(_), _) => unused("damping"),
+            ("spring", ..) | ("device-damping", _, Some(_)) => unused("surface"),
+            ("device-damping", Some(damping), None) => Ok(Self::DeviceDamping { damping }),
+            ("device-damping", ..) => missing("damping", "0.1 N.s/m"),
+            ("mass-spring-damper", Some(damping), Some(surface)) => {
+                Ok(Self::MassSpringDamper { damping, surface })
+            }
+            ("mass-spring-damper", None, _) => missing("damping", "2 N.s/m"),
+            ("mass-spring-damper", ..) => missing("surface", "0 m"),
+            _ => Err(ObserveError::new(format!("there is no candidate `{word}`"))
+                .with_help(format!("the candidates are {}", Self::NAMES.join(", ")))),
+        }
+    }
+
     /// The candidate with its parameters checked.
     pub(super) fn checked(self) -> Result<Credited, ObserveError> {
         let damper = |damping| match Dissipation::of(damping) {

@@ -16,7 +16,7 @@ use crate::files::Scene;
 use crate::files::scene::Conflict;
 use crate::simulate::Criterion;
 use crate::simulate::ensemble::{Ensemble, Moves};
-use crate::simulate::family::StabilizerName;
+use crate::simulate::family::{StabilizerName, StabilizerNames};
 
 /// Reason why a stabilizer is not tuned.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +32,8 @@ pub enum TuneError {
     Axes(Conflict),
     /// A moved number that the scene does not allow.
     Member(Conflict),
+    /// None of these stabilizers has a number to tune.
+    NoNumbers(StabilizerNames),
     /// A number out of the range of the scalar.
     Parameter(ParameterError),
     /// The caller stopped it.
@@ -53,6 +55,11 @@ impl fmt::Display for TuneError {
                 write!(f, "{}\n  = {}", conflict.problem(), conflict.remedy())
             }
             Self::Member(conflict) => write!(f, "a scene of the ensemble is none: {conflict}"),
+            Self::NoNumbers(names) => write!(
+                f,
+                "nothing to tune: no number of {names} has a range to search here\n  \
+                 = name a stabilizer with numbers, such as popc; docs/family.md lists them"
+            ),
             Self::Parameter(error) => error.fmt(f),
             Self::Stopped => f.write_str("tuning was stopped"),
         }
@@ -118,6 +125,20 @@ impl Tuning {
     pub fn rollouts(&self) -> u64 {
         let (trials, runs) = (u64::from(self.trials), u64::from(self.runs));
         runs * (trials + 1) + 2 * runs * u64::from(JUDGES)
+    }
+
+    /// Checks that one of `names` has a number to tune on `scene`.
+    ///
+    /// # Errors
+    /// [`TuneError::NoNumbers`].
+    pub fn check(names: &StabilizerNames, scene: &Scene) -> Result<(), TuneError> {
+        let searched = |name: &StabilizerName| {
+            name.parameters(scene).iter().any(|parameter| parameter.search.is_some())
+        };
+        match names.iter().any(searched) {
+            true => Ok(()),
+            false => Err(TuneError::NoNumbers(names.clone())),
+        }
     }
 
     /// Tunes `name` on `scene`.
