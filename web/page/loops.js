@@ -20,7 +20,8 @@ export class Loops {
     Object.assign(this, { hand: REST, before: REST, touched: false, led: 0, since: 0, carried: 0 });
   }
 
-  /** Takes the scenes of the loops, as texts under a rate; the loops go on where they are. False: one cannot be held. */
+  /** Takes the scenes of the loops, as texts under a rate; the loops go on where they are. False: one cannot be held, for the reason in
+   *  `refused`. */
   take(scenes, rate) {
     Object.assign(this, { scenes, rate });
     try {
@@ -30,8 +31,8 @@ export class Loops {
         Object.assign(lane, { fled: 0, gone: 0 });
       });
       this.held = true;
-    } catch {
-      this.held = false;
+    } catch (error) {
+      Object.assign(this, { held: false, refused: error.message });
     }
     return this.held;
   }

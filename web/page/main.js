@@ -122,6 +122,8 @@ function ask(kind, about) {
   worker.postMessage({ id: told, kind, ...about });
 }
 
+const TIP = "Drag, or use the arrow keys.";
+
 /** Takes the state to all parts of the page; tells whether its scene runs. */
 function update() {
   try {
@@ -132,7 +134,12 @@ function update() {
     return false;
   }
   const scene = toml(state.tree);
-  loops.take(names().map((name) => `${name}\n${scene}`), state.tree.servo_rate);
+  const held = loops.take(names().map((name) => `${name}\n${scene}`), state.tree.servo_rate);
+  $("show-live").disabled = !held;
+  $("tip").textContent = held ? TIP : `${loops.refused}: below are its runs from the start, along the first axis.`;
+  $("tip").hidden = held && loops.touched;
+  $("wall").parentElement.classList.toggle("pale", !held);
+  if (!held) look("run");
   cards();
   show(state.tree);
   state.stale = true;
@@ -246,6 +253,7 @@ function opened(name, text) {
       return;
     }
     loops.letGo();
+    $("said").textContent = `The scene of ${name}.`;
     $("done").textContent = `${name} is open.`;
   } catch (error) {
     $("done").textContent = error.message;
@@ -262,7 +270,7 @@ function place() {
 
 function reach(to) {
   loops.reach(to);
-  $("tip").hidden = true;
+  $("tip").hidden = loops.held;
   place();
 }
 

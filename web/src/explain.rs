@@ -3,7 +3,7 @@
 use lyapunov_lab::bound::Limits;
 use lyapunov_lab::explain::{Explanation, Hint};
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Rollout, Summary};
+use lyapunov_lab::{Rollout, Space, Summary, in_space};
 
 use crate::exchange::{answer, bytes};
 use crate::scene::{parsed, stabilized};
@@ -14,16 +14,16 @@ use crate::scene::{parsed, stabilized};
 pub extern "C" fn explain() -> u32 {
     answer(|text| {
         let scene = stabilized(text)?;
-        explained(&scene)
+        in_space!(scene, V => explained::<V>(&scene))
     })
 }
 
-fn explained(scene: &Scene) -> Result<Vec<u8>, String> {
-    let rollout = Rollout::<f64>::of(scene).map_err(|error| error.to_string())?;
+fn explained<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
+    let rollout = Rollout::<V>::of(scene).map_err(|error| error.to_string())?;
     let summary = Summary::of(scene, rollout);
     let hint = Hint::of(&summary).to_string();
     let sentence = hint.lines().next().unwrap_or_default().trim();
-    let explanation = Explanation::of::<f64>(scene).map_err(|error| error.to_string())?;
+    let explanation = Explanation::of::<V>(scene).map_err(|error| error.to_string())?;
     let json = explanation.to_json("page").map_err(|error| error.to_string())?;
     Ok(format!("{sentence}\n{json}").into_bytes())
 }

@@ -26,6 +26,9 @@ struct Live {
 impl Live {
     /// The loop of `scene`, at standstill at `place`.
     fn of(scene: Scene, place: f64) -> Result<Self, String> {
+        if scene.dimensions() > 1 {
+            return Err("The hand moves on a line, and this scene is in a space".to_owned());
+        }
         let parts = Impedance {
             mass: scene.operator.mass.get() + scene.device.mass.get(),
             damping: scene.operator.damping.get() + scene.device.damping.get(),

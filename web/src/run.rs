@@ -1,7 +1,7 @@
 //! Runs of a scene from its start.
 
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Csv, Rollout, Row, Summary, Verdict};
+use lyapunov_lab::{Csv, Rollout, Row, Space, Summary, Verdict, in_space};
 
 use crate::exchange::{answer, bytes};
 use crate::scene::{parsed, stabilized};
@@ -11,12 +11,12 @@ use crate::scene::{parsed, stabilized};
 pub extern "C" fn rows() -> u32 {
     answer(|text| {
         let scene = parsed(text)?;
-        csv(&scene)
+        in_space!(scene, V => csv::<V>(&scene))
     })
 }
 
-fn csv(scene: &Scene) -> Result<Vec<u8>, String> {
-    let rollout = Rollout::<f64>::of(scene).map_err(|error| error.to_string())?;
+fn csv<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
+    let rollout = Rollout::<V>::of(scene).map_err(|error| error.to_string())?;
     let written = || -> std::io::Result<Vec<u8>> {
         let mut csv = Csv::of(Vec::new(), scene)?;
         for tick in rollout {
@@ -32,19 +32,19 @@ fn csv(scene: &Scene) -> Result<Vec<u8>, String> {
 /// The output is numbers: the verdict's place among all, the time since which the run has settled (NaN if it has not), the largest
 /// force on the plant, the energy that the controller set out to dissipate, the least observed energy, the share of active
 /// ticks, the number of rows that follow; then each row: time, position, force of the environment, force of the controller,
-/// force on the plant, observed energy.
+/// force on the plant, observed energy, in a space along its first axis.
 #[unsafe(no_mangle)]
 pub extern "C" fn trace() -> u32 {
     answer(|text| {
         let scene = stabilized(text)?;
-        traced(&scene)
+        in_space!(scene, V => traced::<V>(&scene))
     })
 }
 
-fn traced(scene: &Scene) -> Result<Vec<u8>, String> {
+fn traced<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
     let mut summary = Summary::new(scene);
     let mut rows = Vec::new();
-    for tick in Rollout::<f64>::of(scene).map_err(|error| error.to_string())? {
+    for tick in Rollout::<V>::of(scene).map_err(|error| error.to_string())? {
         summary.add(&tick);
         let Row { t, x, f_env, f_ctl, f_act, observed_energy, .. } = Row::of(&tick);
         rows.extend([t, x, f_env, f_ctl, f_act, observed_energy]);

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use lyapunov::ParameterError;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Entrants, csv, document};
 use lyapunov_lab::family::StabilizerNames;
-use lyapunov_lab::{Space, in_space, scene as lab};
+use lyapunov_lab::{Space, in_space, in_space_of, scene as lab};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::columns::Columns;
+use super::run::wide_enough;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::axes::Axes;
@@ -86,27 +87,11 @@ fn compared(
     if own.is_empty() {
         return in_space!(scene, V => meet(name, scene, Entrants::<V>::of(names.on(scene)), watched));
     }
-    if scene.scalar == lab::Scalar::F32 {
-        return Err(Fault::input(
-            "a stabilizer written in Python runs in f64\n  = leave `scalar` out of the scene",
-        ));
-    }
+    wide_enough(scene)?;
     let raised = Raised::default();
-    let met = match scene.dimensions() {
-        1 => meet(name, scene, entered::<f64>(names, scene, own, &raised), watched),
-        2 => meet(
-            name,
-            scene,
-            entered::<lyapunov_lab::SVector<f64, 2>>(names, scene, own, &raised),
-            watched,
-        ),
-        _ => meet(
-            name,
-            scene,
-            entered::<lyapunov_lab::SVector<f64, 3>>(names, scene, own, &raised),
-            watched,
-        ),
-    };
+    let met = in_space_of!(f64, scene, V => {
+        meet(name, scene, entered::<V>(names, scene, own, &raised), watched)
+    });
     raised.check()?;
     met
 }

@@ -6,7 +6,7 @@ use lyapunov_lab::explain::Hint;
 use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::run::Curves;
 use lyapunov_lab::{
-    Rollout, RowFile, SVector, Space, Summary, in_space, row_numbers, scene as lab,
+    Rollout, RowFile, Space, Summary, in_space, in_space_of, row_numbers, scene as lab,
 };
 use pyo3::prelude::*;
 
@@ -50,11 +50,6 @@ pub(crate) fn run(
 }
 
 fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<Told, Fault> {
-    if let (By::Python(..), lab::Scalar::F32) = (by, scene.scalar) {
-        return Err(Fault::input(
-            "a stabilizer written in Python runs in f64\n  = leave `scalar` out of the scene",
-        ));
-    }
     match by {
         By::Scene => {
             in_space!(scene, Own => {
@@ -72,18 +67,23 @@ fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<To
             })
         }
         By::Python(object, raised) => {
-            let told = match scene.dimensions() {
-                1 => drain(scene, name, foreign::<f64>(scene, object, raised)?, watched),
-                2 => {
-                    drain(scene, name, foreign::<SVector<f64, 2>>(scene, object, raised)?, watched)
-                }
-                _ => {
-                    drain(scene, name, foreign::<SVector<f64, 3>>(scene, object, raised)?, watched)
-                }
-            };
+            wide_enough(scene)?;
+            let told = in_space_of!(f64, scene, V => {
+                drain(scene, name, foreign::<V>(scene, object, raised)?, watched)
+            });
             raised.check()?;
             told
         }
+    }
+}
+
+/// Checks that a stabilizer written in Python can run in `scene`.
+pub(super) fn wide_enough(scene: &lab::Scene) -> Result<(), Fault> {
+    match scene.scalar {
+        lab::Scalar::F64 => Ok(()),
+        lab::Scalar::F32 => Err(Fault::input(
+            "a stabilizer written in Python runs in f64\n  = leave `scalar` out of the scene",
+        )),
     }
 }
 

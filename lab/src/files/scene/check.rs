@@ -118,7 +118,7 @@ impl Draft {
         self.lost_rest().map_or(Ok(()), |(key, value)| Err(lost(key, value)))
     }
 
-    /// Checks that this program has the loop of the signal at the port.
+    /// Checks that this program has the loop of the scalar.
     #[cfg(feature = "every-signal")]
     fn check_signal(&self) -> Result<(), Conflict> {
         Ok(())
@@ -126,13 +126,9 @@ impl Draft {
 
     #[cfg(not(feature = "every-signal"))]
     fn check_signal(&self) -> Result<(), Conflict> {
-        let remedy = "run it with the command `lyapunov`";
-        if self.dimensions() > 1 {
-            let problem = "this program has one axis, and the scene is in a space";
-            return Err(Conflict::new("space.dimensions", problem, remedy));
-        }
         if self.scalar == Scalar::F32 {
             let problem = "this program computes in f64 only";
+            let remedy = "run it with the command `lyapunov`";
             return Err(Conflict::new("scalar", problem, remedy));
         }
         Ok(())

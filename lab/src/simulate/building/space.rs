@@ -221,47 +221,42 @@ space! {
 #[cfg(feature = "every-signal")]
 #[macro_export]
 macro_rules! in_space {
-    ($scene:expr, $signal:ident => $expression:expr) => {{
-        use $crate::SVector;
-        use $crate::scene::Scalar;
-        match ($scene.scalar, $scene.dimensions()) {
-            (Scalar::F64, 3) => {
-                type $signal = SVector<f64, 3>;
-                $expression
-            }
-            (Scalar::F64, 2) => {
-                type $signal = SVector<f64, 2>;
-                $expression
-            }
-            (Scalar::F64, _) => {
-                type $signal = f64;
-                $expression
-            }
-            (Scalar::F32, 3) => {
-                type $signal = SVector<f32, 3>;
-                $expression
-            }
-            (Scalar::F32, 2) => {
-                type $signal = SVector<f32, 2>;
-                $expression
-            }
-            (Scalar::F32, _) => {
-                type $signal = f32;
-                $expression
-            }
+    ($scene:expr, $signal:ident => $expression:expr) => {
+        match $scene.scalar {
+            $crate::scene::Scalar::F64 => $crate::in_space_of!(f64, $scene, $signal => $expression),
+            $crate::scene::Scalar::F32 => $crate::in_space_of!(f32, $scene, $signal => $expression),
         }
-    }};
+    };
 }
 
-/// The same of a program that has the loops of one signal: [`Draft::check`] refuses scenes with another.
+/// The same of a program without loops in `f32`: [`Draft::check`] refuses such scenes.
 #[cfg(not(feature = "every-signal"))]
 #[macro_export]
 macro_rules! in_space {
-    ($scene:expr, $signal:ident => $expression:expr) => {{
-        let _ = &$scene;
-        type $signal = f64;
-        $expression
-    }};
+    ($scene:expr, $signal:ident => $expression:expr) => {
+        $crate::in_space_of!(f64, $scene, $signal => $expression)
+    };
+}
+
+/// The same in `$scalar`, whatever the scalar of the scene is.
+#[macro_export]
+macro_rules! in_space_of {
+    ($scalar:ty, $scene:expr, $signal:ident => $expression:expr) => {
+        match $scene.dimensions() {
+            3 => {
+                type $signal = $crate::SVector<$scalar, 3>;
+                $expression
+            }
+            2 => {
+                type $signal = $crate::SVector<$scalar, 2>;
+                $expression
+            }
+            _ => {
+                type $signal = $scalar;
+                $expression
+            }
+        }
+    };
 }
 
 pub(crate) use in_space;
