@@ -17,6 +17,9 @@ is the time of the first bench over that of the second, medians of one run; unde
 the rows of a machine to [benches/history.csv](../benches/history.csv) and writes this page. Compare commits on one machine
 only. A `+` behind a commit: with changes that were not committed.
 
+In the names, `generic` is the library, `hand` the same on plain numbers and `literal` the paper's steps 4 to 6 as printed; `idle`,
+`random` and `always` say how often the controller acts; `held` and `sampled` are the kinds of work; `3dof` is three axes.
+
 ![The ratios of each family of benches over the commits](figures/benches.svg)
 
 *A line for each ratio, over the commits measured on the machine that was measured last; the dashed line is 1.*
