@@ -108,7 +108,7 @@ def panel(family, benches, order, left, top):
         if value in (0.0, 1.0) or abs(value - 1) > 0.15 * most:
             y = height(value) + 4
             parts.append(f'<text x="{left - 4}" y="{y:.1f}" text-anchor="end">{value:.3g}</text>')
-    for commit in {order[0], order[-1]}:
+    for commit in dict.fromkeys([order[0], order[-1]]):
         x, text = place(commit), escape(commit[:7])
         parts.append(f'<text x="{x:.1f}" y="{bottom + 14}" text-anchor="middle">{text}</text>')
     for bench, ratios in benches:
