@@ -5,7 +5,7 @@ use crate::simulate::Row;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// A figure, with the name of its files without an ending and the cases that it is drawn from.
-pub type NamedFigure = (&'static str, Figure, &'static [Case]);
+pub type PaperFigure = (&'static str, Figure, &'static [Case]);
 
 /// The names of the figures.
 pub const FIGURES: [&str; 4] = ["figure-6", "figure-7", "figure-8", "figure-9"];
@@ -14,7 +14,7 @@ pub const FIGURES: [&str; 4] = ["figure-6", "figure-7", "figure-8", "figure-9"];
 ///
 /// # Errors
 /// None as long as the shipped scene files are valid.
-pub fn figures() -> Result<[NamedFigure; 4], PaperError> {
+pub fn figures() -> Result<[PaperFigure; 4], PaperError> {
     let plain8k = Case::Plain8k.rows()?;
     let lolc8k = Case::Lolc8k.rows()?;
     let (popc50k, lolc50k) = (Case::Popc50k.rows()?, Case::Lolc50k.rows()?);

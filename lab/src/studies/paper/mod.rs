@@ -9,7 +9,7 @@ mod figures;
 mod report;
 mod study;
 
-pub use figures::{FIGURES, NamedFigure, figures};
+pub use figures::{FIGURES, PaperFigure, figures};
 pub use study::{Draws, Study};
 
 use lyapunov::ParameterError;

@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::Case;
 use super::claims::{Claim, Judged, RATES, Verdict};
-use super::figures::NamedFigure;
+use super::figures::PaperFigure;
 use super::study::Study;
 use crate::show::html;
 use crate::show::table::{Cell, Heading, Table};
@@ -13,7 +13,7 @@ use crate::text::found;
 /// The parts of the page.
 pub(super) struct Report<'a> {
     pub(super) study: &'a Study,
-    pub(super) figures: &'a [NamedFigure],
+    pub(super) figures: &'a [PaperFigure],
     /// The command that made the page.
     pub(super) command: &'a str,
 }
@@ -146,7 +146,7 @@ impl Report<'_> {
         }))
     }
 
-    fn figure(&self, (name, figure, cases): &NamedFigure) -> Markup {
+    fn figure(&self, (name, figure, cases): &PaperFigure) -> Markup {
         let caption = html! {
             "Drawn by " (html::maker(self.command)) ", from"
             @for (index, case) in cases.iter().map(|case| case.name()).enumerate() {

@@ -9,7 +9,7 @@ use super::claims::{
     Balance, Claim, Control, Judged, Member, Outcomes, Runs, SOFT, STIFF, Steps, Unstated, Verdict,
     claims,
 };
-use super::figures::NamedFigure;
+use super::figures::PaperFigure;
 use super::report::Report;
 use crate::show::table::{Cell, Heading, Table};
 
@@ -96,7 +96,7 @@ impl Study {
     }
 
     /// The report with these `figures`, in HTML; `command` is the command that it names as its maker.
-    pub fn to_html(&self, figures: &[NamedFigure], command: &str) -> String {
+    pub fn to_html(&self, figures: &[PaperFigure], command: &str) -> String {
         Report { study: self, figures, command }.to_html()
     }
 
