@@ -38,17 +38,3 @@ impl Method {
         }
     }
 }
-
-/// The kernel of a tile, whose cells count from 0, and the tile's first cell.
-#[derive(Clone, Copy)]
-pub(super) struct Placed<'a> {
-    pub(super) kernel: &'a Kernel,
-    pub(super) first: u64,
-}
-
-impl Placed<'_> {
-    /// `cells` of the map as cells of the tile.
-    pub(super) fn cells(&self, cells: &[u64]) -> Vec<u64> {
-        cells.iter().map(|cell| cell - self.first).collect()
-    }
-}

@@ -6,7 +6,8 @@ use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use super::grid::{Grid, GridError, Tile};
-use super::method::{Method, Placed};
+use super::kernel::Placed;
+use super::method::Method;
 use super::run_error::RunError;
 use super::workload::Workload;
 use crate::files::Scene;

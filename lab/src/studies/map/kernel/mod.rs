@@ -12,6 +12,7 @@ mod loops;
 mod meter;
 mod numbers;
 mod parts;
+mod placed;
 mod port;
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
 mod proven;
@@ -49,6 +50,7 @@ pub use loops::{Ends, GoOn, Loops, Recipe};
 use meter::{Everything, Meter, Verdicts};
 pub use numbers::Numbers;
 use parts::Laned;
+pub(super) use placed::Placed;
 #[cfg(target_arch = "x86_64")]
 use proven::Proven;
 use rollout::Rollouts;
