@@ -53,7 +53,7 @@ impl Sidecar {
         let mut json = Output::create(&place).map_err(End::input)?;
         let text = file.to_json().map_err(End::internal)?;
         json.write_all(text.as_bytes()).map_err(|error| End::input(json.blame(error)))?;
-        let mut outputs = Outputs::of(&place);
+        let mut outputs = Outputs::of(place.parent().unwrap_or(Path::new("")));
         outputs.add(rows).map_err(End::input)?;
         outputs.add(json).map_err(End::input)?;
         outputs.keep().map_err(End::input)
