@@ -9,7 +9,7 @@ use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING, before};
 use super::plant::{Fit, Setting};
 use super::recording::Recording;
 use super::stretch::Stretch;
-use crate::studies::observe::ObserveError;
+use crate::files::log::ObserveError;
 
 /// Most rows by which the force may act late.
 const LAGS: usize = 8;

@@ -44,7 +44,7 @@ use std::io::Read;
 pub use estimate::Estimate;
 pub use report::{Report, Residual, WallReport};
 
-use super::observe::{Columns, ObserveError, Scale};
+use crate::files::log::{Columns, ObserveError, Scale};
 use device::Device;
 use recording::Recording;
 use replay::Replay;

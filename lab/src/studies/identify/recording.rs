@@ -4,7 +4,7 @@ use std::io::Read;
 
 use super::Settings;
 use super::stretch::Stretch;
-use crate::studies::observe::{BadRows, Entry, Log, ObserveError, Sample};
+use crate::files::log::{BadRows, Entry, Log, ObserveError, Sample};
 
 /// The most rows of a log.
 const MOST: usize = 200_000;

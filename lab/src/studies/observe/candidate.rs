@@ -3,8 +3,7 @@
 use lyapunov::{Dissipation, LyapunovCandidate, PortEnergy, PortSample, candidates::InContact};
 use serde::Serialize;
 
-use super::bad::LARGEST;
-use super::error::ObserveError;
+use crate::files::log::{LARGEST, ObserveError};
 
 /// The candidate whose decrease is summed, in the words of scene files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]

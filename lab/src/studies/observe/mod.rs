@@ -14,51 +14,38 @@
 //! # Ok::<(), lyapunov_lab::observe::ObserveError>(())
 //! ```
 
-mod bad;
 mod candidate;
-mod columns;
 mod contact;
 mod envelope;
-mod error;
-mod fields;
-mod heading;
-mod layout;
-mod lines;
-mod log;
 mod marks;
-mod notation;
 mod observed_energy;
 mod page;
 mod replay;
 mod report;
-mod scale;
 mod step;
 mod tally;
 mod text;
 mod traces;
 mod watch;
 
-pub use bad::{BadRow, BadRows};
+pub use crate::files::log::{BadRow, BadRows, Column, Columns, ObserveError, Role, Scale};
 pub use candidate::Candidate;
-pub use columns::{Column, Columns, Role};
 pub use contact::{Contact, Contacts};
-pub use error::ObserveError;
 pub use observed_energy::{Debt, ObservedEnergy};
 pub use replay::{Asked, Left, NOTE, Replay, Replayed};
 pub use report::{ConstantDamper, Energy, Report};
-pub use scale::Scale;
 pub use step::{Gap, Gaps};
 pub use traces::Traces;
 
-pub(crate) use bad::Reason;
 pub(crate) use envelope::Envelope;
-pub(crate) use log::{Entry, Log, Sample};
 pub(crate) use text::described;
 pub(crate) use traces::prefix;
 
 use std::io::Read;
 
 use lyapunov_figures::Figure;
+
+use crate::files::log::Log;
 use replay::Replays;
 use watch::Watch;
 

@@ -2,7 +2,7 @@
 
 use lyapunov::{HeldTick, PortSample};
 
-use super::log::Sample;
+use crate::files::log::Sample;
 
 /// Length of a time step, in median periods, above which it is a gap.
 pub(super) const GAP: f64 = 1.5;

@@ -2,17 +2,15 @@
 
 use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
 
-use super::bad::{Bad, BadRows, Reason};
 use super::candidate::Credited;
 use super::contact::{Finder, Push};
-use super::error::ObserveError;
-use super::log::{Entry, Sample};
 use super::observed_energy::ObservedEnergy;
 use super::replay::Replays;
 use super::report::{ConstantDamper, Energy, Report};
 use super::step::{Gaps, Step, median};
 use super::tally::Tally;
 use super::traces::Traces;
+use crate::files::log::{Bad, BadRows, Entry, ObserveError, Reason, Sample};
 use crate::measure::sanity::{LogSigns, Reading};
 
 /// Number of steps that the median period is estimated from; they wait until it is known.

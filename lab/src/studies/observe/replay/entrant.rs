@@ -3,7 +3,8 @@
 use lyapunov::{Correction, Mask, PortSample, Scalar, Stabilizer};
 
 use super::account::Account;
-use super::{Asked, Left, ObserveError};
+use super::{Asked, Left};
+use crate::files::log::ObserveError;
 #[cfg(feature = "every-signal")]
 use crate::files::scene::Scalar as Width;
 use crate::files::scene::Scene;

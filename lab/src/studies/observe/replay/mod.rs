@@ -13,10 +13,9 @@ mod table;
 
 use lyapunov::{HeldTick, PortSample};
 
-use super::error::ObserveError;
-use super::log::Sample;
 use super::step::Step;
 use crate::files::Scene;
+use crate::files::log::{ObserveError, Sample};
 use crate::simulate::family::StabilizerNames;
 use crate::text::found;
 use account::Account;

@@ -11,11 +11,9 @@ use std::io::Read;
 use serde::Serialize;
 
 use crate::files::Scene;
+use crate::files::log::{BadRows, Columns, Entry, Log, ObserveError, Reason, Role, Sample, Scale};
 use crate::files::scene::{Conflict, Draft, Finite};
 use crate::simulate::Row;
-use crate::studies::observe::{
-    BadRows, Columns, Entry, Log, ObserveError, Reason, Role, Sample, Scale,
-};
 use difference::Meter;
 pub use difference::{Difference, Differences};
 pub use laid::Laid;
