@@ -15,7 +15,7 @@ mod scale;
 pub(crate) use bad::{Bad, LARGEST, Reason};
 pub use bad::{BadRow, BadRows};
 pub use columns::{Column, Columns, Role};
-pub use error::ObserveError;
+pub use error::LogError;
 pub(crate) use row::Entry;
 pub(crate) use sample::Sample;
 pub use scale::Scale;
@@ -45,7 +45,7 @@ impl<R: Read> Log<R> {
         name: &str,
         columns: &Columns,
         scales: &[Scale],
-    ) -> Result<Self, ObserveError> {
+    ) -> Result<Self, LogError> {
         let mut lines = Lines::new(reader);
         let (layout, first) = head(&mut lines, name, columns)?;
         let (mut factors, mut scaled) = ([1.0; 4], [false; 4]);
@@ -105,19 +105,19 @@ fn head<R: Read>(
     lines: &mut Lines<R>,
     name: &str,
     columns: &Columns,
-) -> Result<(Layout, Vec<u8>), ObserveError> {
+) -> Result<(Layout, Vec<u8>), LogError> {
     const EXPECTED: &str = "give a log of comma-separated values, as text with one row per line";
     loop {
-        let next = lines.read().map_err(|error| ObserveError::unreadable(name, &error))?;
+        let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
         let (line, at) = (lines.text(), lines.number());
         match next {
             Next::Line => {}
             Next::TooLong => {
                 let message = "this is no row: the line is longer than 256 KiB";
-                return Err(ObserveError::at(name, at, message).with_help(EXPECTED));
+                return Err(LogError::at(name, at, message).with_help(EXPECTED));
             }
             Next::End => {
-                return Err(ObserveError::about(name, "the log is empty").with_help(EXPECTED));
+                return Err(LogError::about(name, "the log is empty").with_help(EXPECTED));
             }
         }
         let line = if at == 1 { line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line) } else { line };

@@ -4,7 +4,7 @@ use std::io::Read;
 
 use super::Settings;
 use super::stretch::Stretch;
-use crate::files::log::{BadRows, Entry, Log, ObserveError, Sample};
+use crate::files::log::{BadRows, Entry, Log, LogError, Sample};
 
 /// The most rows of a log.
 const MOST: usize = 200_000;
@@ -26,17 +26,11 @@ pub(super) struct Recording {
 
 impl Recording {
     /// Reads the log called `name`.
-    pub(super) fn read(
-        log: impl Read,
-        name: &str,
-        settings: &Settings,
-    ) -> Result<Self, ObserveError> {
+    pub(super) fn read(log: impl Read, name: &str, settings: &Settings) -> Result<Self, LogError> {
         let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
         let mut bad_rows = BadRows::default();
         let (mut rows, mut spans): (Vec<(Sample, bool)>, bool) = (Vec::new(), false);
-        while let Some(entry) =
-            log.read().map_err(|error| ObserveError::unreadable(name, &error))?
-        {
+        while let Some(entry) = log.read().map_err(|error| LogError::unreadable(name, &error))? {
             match entry {
                 Entry::Bad(bad) => {
                     bad_rows.add(bad.line, &bad.reason);
@@ -48,20 +42,20 @@ impl Recording {
                         && sample.t <= last.t
                     {
                         let message = format!("t = {:?} s is not after {:?} s", sample.t, last.t);
-                        return Err(ObserveError::at(name, sample.line, message)
+                        return Err(LogError::at(name, sample.line, message)
                             .with_help("sort the log, or cut it where the clock went back"));
                     }
                     rows.push((sample, std::mem::take(&mut spans)));
                 }
             }
             if rows.len() > MOST {
-                return Err(ObserveError::about(name, format!("more than {MOST} rows")).with_help(
+                return Err(LogError::about(name, format!("more than {MOST} rows")).with_help(
                     "cut the log: some contacts and free motion between them are enough",
                 ));
             }
         }
         if rows.len() < 2 {
-            return Err(ObserveError::too_few(name, &bad_rows));
+            return Err(LogError::too_few(name, &bad_rows));
         }
         let period = median(&rows);
         Ok(Self { stretches: stretches(&rows, period), period, bad_rows })

@@ -10,7 +10,7 @@ use super::report::{ConstantDamper, Energy, Report};
 use super::step::{Gaps, Step, median};
 use super::tally::Tally;
 use super::traces::Traces;
-use crate::files::log::{Bad, BadRows, Entry, ObserveError, Reason, Sample};
+use crate::files::log::{Bad, BadRows, Entry, LogError, Reason, Sample};
 use crate::measure::sanity::{LogSigns, Reading};
 
 /// Number of steps that the median period is estimated from; they wait until it is known.
@@ -116,10 +116,10 @@ impl Watch {
     ///
     /// # Errors
     /// Fewer than two good rows; ticks that are not those of the scene of a replay.
-    pub(super) fn finish(mut self, name: &str) -> Result<(Report, Traces), ObserveError> {
+    pub(super) fn finish(mut self, name: &str) -> Result<(Report, Traces), LogError> {
         let period = self.settle();
         let (Some(first), Some(last), 2..) = (self.first, self.last, self.rows) else {
-            return Err(ObserveError::too_few(name, &self.bad));
+            return Err(LogError::too_few(name, &self.bad));
         };
         let mut account = self.account;
         account.traces.push(last.t, account.pushed);
