@@ -11,6 +11,7 @@ mod notation;
 mod row;
 mod sample;
 mod scale;
+mod time_step;
 
 pub(crate) use bad::{Bad, LARGEST, Reason};
 pub use bad::{BadRow, BadRows};
@@ -19,6 +20,7 @@ pub use error::LogError;
 pub(crate) use row::Entry;
 pub(crate) use sample::Sample;
 pub use scale::Scale;
+pub(crate) use time_step::{GAP, TimeStep, median_period};
 
 use std::io::{self, Read};
 
