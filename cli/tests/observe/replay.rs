@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use lyapunov_lab::observe::{Asked, NOTE, ObserveError, Replayed, Report, Settings, observe};
+use lyapunov_lab::observe::{Asked, LogError, NOTE, Replayed, Report, Settings, observe};
 use lyapunov_lab::{Csv, Rollout, Scene};
 
 use crate::observe::command::run;
@@ -53,7 +53,7 @@ fn scene(more: &str) -> Scene {
     Scene::parse(&text(more), "made").unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-fn asked(log: &str, scene: &Scene, names: &str) -> Result<Report, ObserveError> {
+fn asked(log: &str, scene: &Scene, names: &str) -> Result<Report, LogError> {
     let stabilizers = names.parse().unwrap();
     let asked = Asked { stabilizers, scene: scene.clone(), name: "made.toml".to_owned() };
     let settings = Settings { asked: Some(asked), ..Settings::default() };

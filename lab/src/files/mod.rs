@@ -1,5 +1,6 @@
-//! Files: scenes, models of plants, teleoperators, and the shipped scenes.
+//! Files: scenes, models of plants, teleoperators, recorded logs, and the shipped scenes.
 
+pub(crate) mod log;
 pub(crate) mod models;
 pub mod scene;
 pub(crate) mod shipped;

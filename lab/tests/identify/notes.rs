@@ -1,12 +1,12 @@
 //! What a log cannot tell is said.
 
 use lyapunov_lab::identify::{Identified, Settings, identify};
-use lyapunov_lab::observe::ObserveError;
+use lyapunov_lab::observe::LogError;
 use lyapunov_lab::{Scene, identify as study};
 
 use super::loops::{Chance, PLAIN, Truth};
 
-fn fitted(log: &str) -> Result<Identified, ObserveError> {
+fn fitted(log: &str) -> Result<Identified, LogError> {
     identify(log.as_bytes(), "log.csv", &Settings::default())
 }
 

@@ -9,7 +9,7 @@ use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING, before};
 use super::plant::{Fit, Setting};
 use super::recording::Recording;
 use super::stretch::Stretch;
-use crate::studies::observe::ObserveError;
+use crate::files::log::LogError;
 
 /// Most rows by which the force may act late.
 const LAGS: usize = 8;
@@ -65,7 +65,7 @@ pub(super) enum Fault {
 }
 
 impl Fault {
-    pub(super) fn about(self, name: &str) -> ObserveError {
+    pub(super) fn about(self, name: &str) -> LogError {
         let (fault, remedy) = match self {
             Self::Short => (
                 "too few rows without a gap",
@@ -81,7 +81,7 @@ impl Fault {
                 "record firmer or longer contacts; check the sign of f (--scale f=-1) and its unit",
             ),
         };
-        ObserveError::about(name, fault).with_help(remedy)
+        LogError::about(name, fault).with_help(remedy)
     }
 }
 

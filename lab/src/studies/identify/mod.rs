@@ -44,7 +44,7 @@ use std::io::Read;
 pub use estimate::Estimate;
 pub use report::{Report, Residual, WallReport};
 
-use super::observe::{Columns, ObserveError, Scale};
+use crate::files::log::{Columns, LogError, Scale};
 use device::Device;
 use recording::Recording;
 use replay::Replay;
@@ -77,11 +77,7 @@ pub struct Identified {
 /// # Errors
 /// A log without the requested columns, one that is too long or too short, one that is not moved by its force, and a stream
 /// that fails.
-pub fn identify(
-    log: impl Read,
-    name: &str,
-    settings: &Settings,
-) -> Result<Identified, ObserveError> {
+pub fn identify(log: impl Read, name: &str, settings: &Settings) -> Result<Identified, LogError> {
     let recording = Recording::read(log, name, settings)?;
     let device = Device::of(&recording).map_err(|fault| fault.about(name))?;
     let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());

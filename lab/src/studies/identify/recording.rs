@@ -4,13 +4,10 @@ use std::io::Read;
 
 use super::Settings;
 use super::stretch::Stretch;
-use crate::studies::observe::{BadRows, Entry, Log, ObserveError, Sample};
+use crate::files::log::{BadRows, Entry, Log, LogError, Sample, TimeStep, median_period};
 
 /// The most rows of a log.
 const MOST: usize = 200_000;
-
-/// Length of a time step, in median periods, above which it is a gap; as in `observe`.
-const GAP: f64 = 1.5;
 
 /// Fewest rows of a stretch that is fitted to.
 const FEWEST: usize = 8;
@@ -26,17 +23,11 @@ pub(super) struct Recording {
 
 impl Recording {
     /// Reads the log called `name`.
-    pub(super) fn read(
-        log: impl Read,
-        name: &str,
-        settings: &Settings,
-    ) -> Result<Self, ObserveError> {
+    pub(super) fn read(log: impl Read, name: &str, settings: &Settings) -> Result<Self, LogError> {
         let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
         let mut bad_rows = BadRows::default();
         let (mut rows, mut spans): (Vec<(Sample, bool)>, bool) = (Vec::new(), false);
-        while let Some(entry) =
-            log.read().map_err(|error| ObserveError::unreadable(name, &error))?
-        {
+        while let Some(entry) = log.read().map_err(|error| LogError::unreadable(name, &error))? {
             match entry {
                 Entry::Bad(bad) => {
                     bad_rows.add(bad.line, &bad.reason);
@@ -48,22 +39,22 @@ impl Recording {
                         && sample.t <= last.t
                     {
                         let message = format!("t = {:?} s is not after {:?} s", sample.t, last.t);
-                        return Err(ObserveError::at(name, sample.line, message)
+                        return Err(LogError::at(name, sample.line, message)
                             .with_help("sort the log, or cut it where the clock went back"));
                     }
                     rows.push((sample, std::mem::take(&mut spans)));
                 }
             }
             if rows.len() > MOST {
-                return Err(ObserveError::about(name, format!("more than {MOST} rows")).with_help(
+                return Err(LogError::about(name, format!("more than {MOST} rows")).with_help(
                     "cut the log: some contacts and free motion between them are enough",
                 ));
             }
         }
         if rows.len() < 2 {
-            return Err(ObserveError::too_few(name, &bad_rows));
+            return Err(LogError::too_few(name, &bad_rows));
         }
-        let period = median(&rows);
+        let period = median_period(rows.windows(2).map(|pair| step(&pair[0], &pair[1])));
         Ok(Self { stretches: stretches(&rows, period), period, bad_rows })
     }
 
@@ -116,20 +107,16 @@ impl Recording {
     }
 }
 
-/// The median of the steps that span no bad row, or of all.
-fn median(rows: &[(Sample, bool)]) -> f64 {
-    let step = |pair: &[(Sample, bool)]| pair[1].0.t - pair[0].0.t;
-    let mut steps: Vec<f64> = rows.windows(2).filter(|it| !it[1].1).map(step).collect();
-    if steps.is_empty() {
-        steps = rows.windows(2).map(step).collect();
-    }
-    let middle = steps.len() / 2;
-    *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+/// The time step from a row to the next.
+fn step(row: &(Sample, bool), next: &(Sample, bool)) -> TimeStep {
+    TimeStep { length: next.0.t - row.0.t, spans: next.1 }
 }
 
 fn stretches(rows: &[(Sample, bool)], period: f64) -> Vec<Stretch> {
-    let goes_on =
-        |one: &(Sample, bool), next: &(Sample, bool)| !next.1 && next.0.t - one.0.t <= GAP * period;
+    let goes_on = |row: &(Sample, bool), next: &(Sample, bool)| {
+        let step = step(row, next);
+        !step.spans && !step.is_gap(period)
+    };
     let long = rows.chunk_by(goes_on).filter(|it| it.len() >= FEWEST);
     let stretch = |rows: &[(Sample, bool)]| Stretch {
         times: rows.iter().map(|it| it.0.t).collect(),

@@ -8,7 +8,7 @@ use super::estimate::Estimate;
 use super::notes::notes;
 use super::recording::Recording;
 use super::wall::Wall;
-use crate::studies::observe::BadRows;
+use crate::files::log::BadRows;
 
 /// Numbers of a scene as a log tells them, in SI units.
 #[derive(Clone, Debug, PartialEq, Serialize)]

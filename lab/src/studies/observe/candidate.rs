@@ -3,8 +3,7 @@
 use lyapunov::{Dissipation, LyapunovCandidate, PortEnergy, PortSample, candidates::InContact};
 use serde::Serialize;
 
-use super::bad::LARGEST;
-use super::error::ObserveError;
+use crate::files::log::{LARGEST, LogError};
 
 /// The candidate whose decrease is summed, in the words of scene files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -35,18 +34,14 @@ impl Candidate {
     ///
     /// # Errors
     /// A word that names none; a number too few or too many.
-    pub fn named(
-        word: &str,
-        damping: Option<f64>,
-        surface: Option<f64>,
-    ) -> Result<Self, ObserveError> {
+    pub fn named(word: &str, damping: Option<f64>, surface: Option<f64>) -> Result<Self, LogError> {
         let unused = |number: &str| {
             let problem = format!("the {number} means nothing to the candidate {word}");
-            Err(ObserveError::new(problem).with_help("leave it out, or choose another candidate"))
+            Err(LogError::new(problem).with_help("leave it out, or choose another candidate"))
         };
         let missing = |number: &str, example: &str| {
             let problem = format!("the candidate {word} needs a {number}");
-            Err(ObserveError::new(problem).with_help(format!("add one, such as {example}")))
+            Err(LogError::new(problem).with_help(format!("add one, such as {example}")))
         };
         match (word, damping, surface) {
             ("spring", None, None) => Ok(Self::Spring),
@@ -59,16 +54,16 @@ impl Candidate {
             }
             ("mass-spring-damper", None, _) => missing("damping", "2 N.s/m"),
             ("mass-spring-damper", ..) => missing("surface", "0 m"),
-            _ => Err(ObserveError::new(format!("there is no candidate `{word}`"))
+            _ => Err(LogError::new(format!("there is no candidate `{word}`"))
                 .with_help(format!("the candidates are {}", Self::NAMES.join(", ")))),
         }
     }
 
     /// The candidate with its parameters checked.
-    pub(super) fn checked(self) -> Result<Credited, ObserveError> {
+    pub(super) fn checked(self) -> Result<Credited, LogError> {
         let damper = |damping| match Dissipation::of(damping) {
             Ok(damper) if damping <= LARGEST => Ok(damper),
-            _ => Err(ObserveError::new(format!("the damping is {damping} N.s/m"))
+            _ => Err(LogError::new(format!("the damping is {damping} N.s/m"))
                 .with_help("give a damping from 0 to 1e50 N.s/m")),
         };
         Ok(Credited(match self {
@@ -78,7 +73,7 @@ impl Candidate {
                 Credit::InContact(damper(damping)?.gated(InContact { position: surface }))
             }
             Self::MassSpringDamper { surface, .. } => {
-                return Err(ObserveError::new(format!("the surface is at {surface} m"))
+                return Err(LogError::new(format!("the surface is at {surface} m"))
                     .with_help("give its position as a finite number"));
             }
         }))

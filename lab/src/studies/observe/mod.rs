@@ -11,54 +11,41 @@
 //! let energy = observed.report.energy;
 //! assert!((energy.generated - 0.016).abs() < 1e-12); // a sampled spring of 8 kN/m is not passive
 //! println!("{}", observed.report);
-//! # Ok::<(), lyapunov_lab::observe::ObserveError>(())
+//! # Ok::<(), lyapunov_lab::observe::LogError>(())
 //! ```
 
-mod bad;
 mod candidate;
-mod columns;
 mod contact;
 mod envelope;
-mod error;
-mod fields;
-mod heading;
-mod layout;
-mod lines;
-mod log;
 mod marks;
-mod notation;
 mod observed_energy;
 mod page;
 mod replay;
 mod report;
-mod scale;
 mod step;
 mod tally;
 mod text;
 mod traces;
 mod watch;
 
-pub use bad::{BadRow, BadRows};
+pub use crate::files::log::{BadRow, BadRows, Column, Columns, LogError, Role, Scale};
 pub use candidate::Candidate;
-pub use columns::{Column, Columns, Role};
 pub use contact::{Contact, Contacts};
-pub use error::ObserveError;
 pub use observed_energy::{Debt, ObservedEnergy};
 pub use replay::{Asked, Left, NOTE, Replay, Replayed};
 pub use report::{ConstantDamper, Energy, Report};
-pub use scale::Scale;
 pub use step::{Gap, Gaps};
 pub use traces::Traces;
 
-pub(crate) use bad::Reason;
 pub(crate) use envelope::Envelope;
-pub(crate) use log::{Entry, Log, Sample};
 pub(crate) use text::described;
 pub(crate) use traces::prefix;
 
 use std::io::Read;
 
 use lyapunov_figures::Figure;
+
+use crate::files::log::Log;
 use replay::Replays;
 use watch::Watch;
 
@@ -78,15 +65,15 @@ pub struct Settings {
 }
 
 impl Settings {
-    fn check(&self) -> Result<(), ObserveError> {
+    fn check(&self) -> Result<(), LogError> {
         if let Some(scale) = self.scales.iter().find(|scale| !self.columns.has(scale.role)) {
             let letter = scale.role.letter();
-            return Err(ObserveError::new(format!("there is no column of {letter} to scale"))
+            return Err(LogError::new(format!("there is no column of {letter} to scale"))
                 .with_help("name it as the fourth of --columns, or leave its --scale out"));
         }
         match self.contact {
             Some(force) if !(force >= 0.0 && force.is_finite()) => {
-                Err(ObserveError::new(format!("the contact threshold is {force} N"))
+                Err(LogError::new(format!("the contact threshold is {force} N"))
                     .with_help("give a finite force of 0 N or more"))
             }
             _ => Ok(()),
@@ -119,13 +106,13 @@ impl Observed {
 /// # Errors
 /// Settings out of range, a log without the requested columns or with fewer than two good rows, a scene that does not fit
 /// the log or those who are asked, or a stream that fails.
-pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observed, ObserveError> {
+pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observed, LogError> {
     settings.check()?;
     let candidate = settings.candidate.checked()?;
     let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
     let replays = Replays::of(settings.asked.as_ref())?;
     let mut watch = Watch::new(candidate, settings.contact, replays);
-    while let Some(entry) = log.read().map_err(|error| ObserveError::unreadable(name, &error))? {
+    while let Some(entry) = log.read().map_err(|error| LogError::unreadable(name, &error))? {
         watch.add(&entry);
     }
     let (report, traces) = watch.finish(name)?;

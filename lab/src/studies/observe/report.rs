@@ -2,13 +2,12 @@
 
 use serde::Serialize;
 
-use super::bad::BadRows;
 use super::candidate::Candidate;
-use super::columns::Column;
 use super::contact::Contacts;
 use super::observed_energy::ObservedEnergy;
 use super::replay::Replay;
 use super::step::Gaps;
+use crate::files::log::{BadRows, Column};
 use crate::measure::Oddity;
 
 /// Report on a log, in SI units; `Display` formats it for the terminal.

@@ -2,10 +2,7 @@
 
 use lyapunov::{HeldTick, PortSample};
 
-use super::log::Sample;
-
-/// Length of a time step, in median periods, above which it is a gap.
-pub(super) const GAP: f64 = 1.5;
+use crate::files::log::{Sample, TimeStep};
 
 /// Step from one good row to the next, with or without bad rows in between.
 #[derive(Clone, Copy, Debug)]
@@ -24,9 +21,9 @@ impl Step {
         self.to.t - self.from.t
     }
 
-    /// Whether the step is a gap.
-    pub(super) fn is_gap(&self, median: f64) -> bool {
-        self.period() > GAP * median
+    /// Its time alone.
+    pub(super) fn time(&self) -> TimeStep {
+        TimeStep { length: self.period(), spans: self.spans }
     }
 
     /// Sample of the device's motion over the step, by the rule of the guards (docs/contract.md): of all forces that
@@ -38,7 +35,7 @@ impl Step {
         let mean = displacement / period;
         let velocity = match to.v {
             Some(measured)
-                if (self.spans || self.is_gap(median)) && mean.abs() < measured.abs() =>
+                if (self.spans || self.time().is_gap(median)) && mean.abs() < measured.abs() =>
             {
                 mean
             }
@@ -87,18 +84,4 @@ impl Gaps {
             self.longest = Some(gap);
         }
     }
-}
-
-/// Median period of the steps; steps over bad rows count only if there are no others.
-pub(super) fn median(steps: &[Step]) -> f64 {
-    let sound = steps.iter().filter(|step| !step.spans).map(Step::period);
-    let mut periods: Vec<f64> = sound.collect();
-    if periods.is_empty() {
-        periods = steps.iter().map(Step::period).collect();
-    }
-    let middle = periods.len() / 2;
-    if periods.is_empty() {
-        return 0.0;
-    }
-    *periods.select_nth_unstable_by(middle, f64::total_cmp).1
 }

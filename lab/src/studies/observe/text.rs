@@ -3,12 +3,11 @@
 use std::fmt;
 
 use super::candidate::Candidate;
-use super::columns::Column;
 use super::contact::{Contact, SHARE};
 use super::observed_energy::ObservedEnergy;
 use super::report::Report;
-use super::step::GAP;
 use super::traces::prefix;
+use crate::files::log::{Column, GAP};
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{folded, found, legible, shorten};
 

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::envelope::Envelope;
-use super::log::Sample;
 use super::marks::Marks;
 use super::report::Report;
+use crate::files::log::Sample;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// Curves of a log, in a bounded number of points.

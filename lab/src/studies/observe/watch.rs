@@ -2,17 +2,15 @@
 
 use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
 
-use super::bad::{Bad, BadRows, Reason};
 use super::candidate::Credited;
 use super::contact::{Finder, Push};
-use super::error::ObserveError;
-use super::log::{Entry, Sample};
 use super::observed_energy::ObservedEnergy;
 use super::replay::Replays;
 use super::report::{ConstantDamper, Energy, Report};
-use super::step::{Gaps, Step, median};
+use super::step::{Gaps, Step};
 use super::tally::Tally;
 use super::traces::Traces;
+use crate::files::log::{Bad, BadRows, Entry, LogError, Reason, Sample, median_period};
 use crate::measure::sanity::{LogSigns, Reading};
 
 /// Number of steps that the median period is estimated from; they wait until it is known.
@@ -109,7 +107,8 @@ impl Watch {
     /// Books the steps that waited for the median period, and returns that period.
     fn settle(&mut self) -> f64 {
         let waiting = std::mem::take(&mut self.waiting);
-        let period = *self.period.get_or_insert_with(|| median(&waiting));
+        let period =
+            *self.period.get_or_insert_with(|| median_period(waiting.iter().map(Step::time)));
         waiting.iter().for_each(|step| self.account.book(step, period));
         period
     }
@@ -118,10 +117,10 @@ impl Watch {
     ///
     /// # Errors
     /// Fewer than two good rows; ticks that are not those of the scene of a replay.
-    pub(super) fn finish(mut self, name: &str) -> Result<(Report, Traces), ObserveError> {
+    pub(super) fn finish(mut self, name: &str) -> Result<(Report, Traces), LogError> {
         let period = self.settle();
         let (Some(first), Some(last), 2..) = (self.first, self.last, self.rows) else {
-            return Err(ObserveError::too_few(name, &self.bad));
+            return Err(LogError::too_few(name, &self.bad));
         };
         let mut account = self.account;
         account.traces.push(last.t, account.pushed);
@@ -211,7 +210,7 @@ impl Books {
     }
 
     fn book(&mut self, step: &Step, median: f64) {
-        if step.is_gap(median) {
+        if step.time().is_gap(median) {
             self.gaps.add(step);
             self.traces.gap(step.from.t, step.to.t);
         }

@@ -6,9 +6,9 @@ use lyapunov::PortSample;
 use lyapunov::accumulators::{Accumulator, Compensated};
 
 use super::super::envelope::Envelope;
-use super::super::log::Sample;
 use super::Replayed;
 use super::entrant::{Answer, Entrant};
+use crate::files::log::Sample;
 use crate::simulate::family::StabilizerName;
 
 /// Account of one stabilizer, row by row.

@@ -3,7 +3,8 @@
 use lyapunov::{Correction, Mask, PortSample, Scalar, Stabilizer};
 
 use super::account::Account;
-use super::{Asked, Left, ObserveError};
+use super::{Asked, Left};
+use crate::files::log::LogError;
 #[cfg(feature = "every-signal")]
 use crate::files::scene::Scalar as Width;
 use crate::files::scene::Scene;
@@ -63,20 +64,17 @@ fn told<T: Scalar + Space>(
 ///
 /// # Errors
 /// A scene in several dimensions; a stabilizer that is named and lacks a number; nobody left.
-pub(super) fn entered(asked: &Asked) -> Result<(Vec<Account>, Vec<Left>), ObserveError> {
+pub(super) fn entered(asked: &Asked) -> Result<(Vec<Account>, Vec<Left>), LogError> {
     let (scene, name) = (&asked.scene, &asked.name);
     if scene.dimensions() > 1 {
         let axes = scene.dimensions();
-        return Err(ObserveError::about(
-            name,
-            format!("the scene has {axes} axes, and a log has one"),
-        )
-        .with_help("give --scene one without [space]"));
+        return Err(LogError::about(name, format!("the scene has {axes} axes, and a log has one"))
+            .with_help("give --scene one without [space]"));
     }
     let (mut accounts, mut left) = (Vec::new(), Vec::new());
     for member in asked.stabilizers.on(scene) {
         match entrant(member, scene).map_err(|error| {
-            ObserveError::new(format!("{member} on {name}: {error}"))
+            LogError::new(format!("{member} on {name}: {error}"))
                 .with_help("give the scene what it lacks, or leave that stabilizer out")
         })? {
             Some(entrant) => accounts.push(Account::new(member, entrant, scene.delay_ticks())),
@@ -86,7 +84,7 @@ pub(super) fn entered(asked: &Asked) -> Result<(Vec<Account>, Vec<Left>), Observ
     if accounts.is_empty() {
         let names: Vec<&str> = left.iter().map(|it| it.stabilizer).collect();
         let message = format!("{} cannot be replayed: {AROUND}", names.join(", "));
-        return Err(ObserveError::new(message).with_help(
+        return Err(LogError::new(message).with_help(
             "name one that answers a force, such as popc; lyapunov compare runs these",
         ));
     }

@@ -13,10 +13,9 @@ mod table;
 
 use lyapunov::{HeldTick, PortSample};
 
-use super::error::ObserveError;
-use super::log::Sample;
 use super::step::Step;
 use crate::files::Scene;
+use crate::files::log::{LogError, Sample};
 use crate::simulate::family::StabilizerNames;
 use crate::text::found;
 use account::Account;
@@ -52,7 +51,7 @@ pub(super) struct Replays {
 
 impl Replays {
     /// Those who are asked, before the first row; none where nobody is.
-    pub(super) fn of(asked: Option<&Asked>) -> Result<Self, ObserveError> {
+    pub(super) fn of(asked: Option<&Asked>) -> Result<Self, LogError> {
         let Some(asked) = asked else { return Ok(Self::default()) };
         let (accounts, left) = entrant::entered(asked)?;
         let (scene, servo_period) = (asked.name.clone(), asked.scene.period());
@@ -75,7 +74,7 @@ impl Replays {
     ///
     /// # Errors
     /// A log whose ticks are not those of the scene.
-    pub(super) fn finish(self, name: &str, median: f64) -> Result<Option<Replay>, ObserveError> {
+    pub(super) fn finish(self, name: &str, median: f64) -> Result<Option<Replay>, LogError> {
         if self.accounts.is_empty() {
             return Ok(None);
         }
@@ -86,7 +85,7 @@ impl Replays {
                 "the rows are {apart} s apart, and {} has a servo period of {period} s",
                 self.scene
             );
-            return Err(ObserveError::about(name, told).with_help(format!(
+            return Err(LogError::about(name, told).with_help(format!(
                 "a stabilizer is set for the ticks it runs at: give the scene the log's, servo_rate = {rate}, or a log \
                  with a row for each tick"
             )));

@@ -11,11 +11,9 @@ use std::io::Read;
 use serde::Serialize;
 
 use crate::files::Scene;
+use crate::files::log::{BadRows, Columns, Entry, Log, LogError, Reason, Role, Sample, Scale};
 use crate::files::scene::{Conflict, Draft, Finite};
 use crate::simulate::Row;
-use crate::studies::observe::{
-    BadRows, Columns, Entry, Log, ObserveError, Reason, Role, Sample, Scale,
-};
 use difference::Meter;
 pub use difference::{Difference, Differences};
 pub use laid::Laid;
@@ -81,11 +79,11 @@ impl<R: Read> Against<R> {
         columns: &Columns,
         scales: &[Scale],
         start: Start,
-    ) -> Result<Self, ObserveError> {
+    ) -> Result<Self, LogError> {
         let mut log = Log::open(reader, name, columns, scales)?;
         let mut bad = BadRows::default();
         let Some(first) = next(&mut log, name, &mut bad, None)? else {
-            return Err(ObserveError::too_few(name, &bad));
+            return Err(LogError::too_few(name, &bad));
         };
         let has_velocity = columns.has(Role::V);
         Ok(Self {
@@ -109,12 +107,12 @@ impl<R: Read> Against<R> {
     ///
     /// # Errors
     /// A log that does not begin within the scene; a start from the log in a space, or that the scene does not allow.
-    pub fn started(&self, scene: &Scene) -> Result<Scene, ObserveError> {
+    pub fn started(&self, scene: &Scene) -> Result<Scene, LogError> {
         let (begins, ends) = (self.time(&self.first), scene.end());
         if begins < -SAME * scene.period() || begins > ends {
             let told =
                 format!("the log begins at {begins:?} s, and the scene lasts from 0 to {ends:?} s");
-            return Err(ObserveError::about(&self.name, told).with_help(
+            return Err(LogError::about(&self.name, told).with_help(
                 "both have one clock: --start log takes the log's first row for the scene's start",
             ));
         }
@@ -124,12 +122,12 @@ impl<R: Read> Against<R> {
         if scene.dimensions() > 1 {
             let axes = scene.dimensions();
             let told = format!("a log has one axis to start from, and the scene {axes}");
-            return Err(ObserveError::about(&self.name, told)
+            return Err(LogError::about(&self.name, told)
                 .with_help("leave --start log out, and give the scene its start"));
         }
         let mut draft: Draft = scene.to_draft();
         let refused = |error: &dyn std::fmt::Display| {
-            ObserveError::about(&self.name, format!("its first row is no start: {error}"))
+            LogError::about(&self.name, format!("its first row is no start: {error}"))
         };
         draft.initial.position = Finite::new(self.first.x).map_err(|error| refused(&error))?.into();
         if let Some(velocity) = self.first.v {
@@ -142,7 +140,7 @@ impl<R: Read> Against<R> {
     ///
     /// # Errors
     /// A stream that fails.
-    pub fn add(&mut self, tick: &Row, period: f64) -> Result<(), ObserveError> {
+    pub fn add(&mut self, tick: &Row, period: f64) -> Result<(), LogError> {
         while let Some(row) = self.pending {
             let time = self.time(&row);
             if time > tick.t + SAME * period {
@@ -163,7 +161,7 @@ impl<R: Read> Against<R> {
     ///
     /// # Errors
     /// A log that goes on after the scene, or of which fewer than two rows were compared; a stream that fails.
-    pub fn finish(mut self, scene: &Scene) -> Result<Laid, ObserveError> {
+    pub fn finish(mut self, scene: &Scene) -> Result<Laid, LogError> {
         let ends = scene.end();
         let (mut left, mut last) = (0, None);
         while let Some(row) = self.pending {
@@ -173,12 +171,12 @@ impl<R: Read> Against<R> {
         if let Some(last) = last.filter(|last| *last > ends + SAME * scene.period()) {
             let told =
                 format!("the log goes on until {last:?} s, and the scene ends at {ends:?} s");
-            return Err(ObserveError::about(&self.name, told).with_help(format!(
+            return Err(LogError::about(&self.name, told).with_help(format!(
                 "give the scene a duration of {last:?} or more, or cut the log"
             )));
         }
         let (Some(from), Some(to), 2..) = (self.from, self.last, self.rows) else {
-            return Err(ObserveError::too_few(&self.name, &self.bad));
+            return Err(LogError::too_few(&self.name, &self.bad));
         };
         let [position, velocity, force] = self.meters.map(|meter| meter.finish());
         let look_at = force.reversed();
@@ -255,9 +253,9 @@ fn next<R: Read>(
     name: &str,
     bad: &mut BadRows,
     last: Option<&Sample>,
-) -> Result<Option<Sample>, ObserveError> {
+) -> Result<Option<Sample>, LogError> {
     loop {
-        match log.read().map_err(|error| ObserveError::unreadable(name, &error))? {
+        match log.read().map_err(|error| LogError::unreadable(name, &error))? {
             None => return Ok(None),
             Some(Entry::Bad(row)) => bad.add(row.line, &row.reason),
             Some(Entry::Good(row)) => match last {

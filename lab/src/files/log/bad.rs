@@ -14,7 +14,7 @@ const NAMED: usize = 10;
 /// The largest number in SI units, of either sign, that a row may hold.
 ///
 /// Up to it no product or sum of a report can leave the range of an `f64`.
-pub(super) const LARGEST: f64 = 1e50;
+pub(crate) const LARGEST: f64 = 1e50;
 
 /// The shortest time between two rows, s, for the same reason.
 pub(super) const SHORTEST: f64 = 1e-50;

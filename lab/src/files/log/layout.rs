@@ -2,7 +2,7 @@
 
 use super::bad::Reason;
 use super::columns::{Column, Columns, Role, position};
-use super::error::ObserveError;
+use super::error::LogError;
 use super::fields::{Fields, bare, delimiter};
 use super::heading::{Heading, Unit};
 use super::notation::is_number;
@@ -34,8 +34,8 @@ impl Layout {
         columns: &Columns,
         name: &str,
         at: u64,
-    ) -> Result<Self, ObserveError> {
-        let wrong = |message: String| ObserveError::at(name, at, message);
+    ) -> Result<Self, LogError> {
+        let wrong = |message: String| LogError::at(name, at, message);
         if line.contains(&0) {
             return Err(wrong("this is no text: it holds a byte 0".to_owned())
                 .with_help("give a log of comma-separated values, as text in UTF-8"));
@@ -73,7 +73,7 @@ impl Layout {
         name: &str,
         factors: &[f64; 4],
         scaled: &[bool; 4],
-    ) -> Result<(Vec<Column>, [i32; 4]), ObserveError> {
+    ) -> Result<(Vec<Column>, [i32; 4]), LogError> {
         let (mut read, mut powers) = (Vec::new(), [0; 4]);
         for (role, asked, text) in &self.headings {
             let (role, index) = (*role, role.index());
@@ -95,11 +95,11 @@ impl Layout {
         Ok((read, powers))
     }
 
-    fn no_unit(&self, name: &str, role: Role, heading: &str, written: &str) -> ObserveError {
+    fn no_unit(&self, name: &str, role: Role, heading: &str, written: &str) -> LogError {
         let (letter, quantity, symbols) = (role.letter(), role.quantity(), Unit::symbols(role));
         let (heading, written) = (shorten(heading), shorten(written));
         let message = format!("the column `{heading}`: `{written}` is no unit of {quantity}");
-        ObserveError::at(name, self.line, message).with_help(format!(
+        LogError::at(name, self.line, message).with_help(format!(
             "the units are {symbols}; for another, give its factor to SI, as in --scale {letter}=1e-3, and {letter}=1 where it is SI"
         ))
     }

@@ -3,7 +3,7 @@
 use std::str::FromStr;
 
 use super::columns::Role;
-use super::error::ObserveError;
+use super::error::LogError;
 use crate::text::nearest;
 
 /// Factor of one column: its numbers times the factor are in SI units.
@@ -12,7 +12,7 @@ use crate::text::nearest;
 /// use lyapunov_lab::observe::Scale;
 /// let millimetres: Scale = "x=1e-3".parse()?;
 /// assert_eq!(millimetres.factor, 1e-3);
-/// # Ok::<(), lyapunov_lab::observe::ObserveError>(())
+/// # Ok::<(), lyapunov_lab::observe::LogError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
@@ -23,10 +23,10 @@ pub struct Scale {
 }
 
 impl FromStr for Scale {
-    type Err = ObserveError;
+    type Err = LogError;
 
-    fn from_str(text: &str) -> Result<Self, ObserveError> {
-        let wrong = |message: &str, help: &str| Err(ObserveError::new(message).with_help(help));
+    fn from_str(text: &str) -> Result<Self, LogError> {
+        let wrong = |message: &str, help: &str| Err(LogError::new(message).with_help(help));
         let Some((name, factor)) = text.split_once('=') else {
             return wrong("there is no `=` in it", "write a column and a factor, as in x=1e-3");
         };

@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use serde::Serialize;
 
-use super::error::ObserveError;
+use super::error::LogError;
 
 /// The columns of time, position, force and, optionally, velocity, in this order: by name, or by number from 1.
 ///
@@ -50,19 +50,19 @@ impl Default for Columns {
 }
 
 impl FromStr for Columns {
-    type Err = ObserveError;
+    type Err = LogError;
 
-    fn from_str(text: &str) -> Result<Self, ObserveError> {
+    fn from_str(text: &str) -> Result<Self, LogError> {
         let names: Vec<String> = text.split(',').map(|name| name.trim().to_owned()).collect();
         if !(3..=4).contains(&names.len()) || names.iter().any(String::is_empty) {
-            return Err(ObserveError::new("these are not three or four names").with_help(
+            return Err(LogError::new("these are not three or four names").with_help(
                 "name the columns of time, position, force and, if there is one, velocity, as in \
                  t,x,f or 1,4,2",
             ));
         }
         for (index, name) in names.iter().enumerate() {
             if names[..index].contains(name) {
-                return Err(ObserveError::new(format!("the column `{name}` is named twice"))
+                return Err(LogError::new(format!("the column `{name}` is named twice"))
                     .with_help("time, position, force and velocity are four different columns"));
             }
         }

@@ -1,4 +1,4 @@
-//! Errors of a log that cannot be observed.
+//! Errors of a log, or of a setting for it, that cannot be used.
 
 use std::fmt;
 use std::io;
@@ -6,14 +6,14 @@ use std::io;
 use super::bad::BadRows;
 use crate::text::{folded, legible};
 
-/// Reason why a log cannot be observed, with a remedy.
+/// Reason why a log, or a setting for it, cannot be used, with a remedy.
 #[derive(Debug)]
-pub struct ObserveError {
+pub struct LogError {
     message: String,
     help: Option<String>,
 }
 
-impl ObserveError {
+impl LogError {
     /// Error without a remedy yet.
     pub(crate) fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), help: None }
@@ -63,7 +63,7 @@ impl ObserveError {
     }
 }
 
-impl fmt::Display for ObserveError {
+impl fmt::Display for LogError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message)?;
         let Some(help) = &self.help else { return Ok(()) };
@@ -71,4 +71,4 @@ impl fmt::Display for ObserveError {
     }
 }
 
-impl std::error::Error for ObserveError {}
+impl std::error::Error for LogError {}

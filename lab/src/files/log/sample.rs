@@ -1,0 +1,20 @@
+//! Good row of a log.
+
+use super::bad::SHORTEST;
+
+/// A good row, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Sample {
+    pub(crate) line: u64,
+    pub(crate) t: f64,
+    pub(crate) x: f64,
+    pub(crate) f: f64,
+    pub(crate) v: Option<f64>,
+}
+
+impl Sample {
+    /// Whether `later` comes after this row, by more than a division by the time between them can bear.
+    pub(crate) fn is_before(&self, later: &Self) -> bool {
+        later.t - self.t >= SHORTEST
+    }
+}

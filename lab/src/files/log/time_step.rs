@@ -1,0 +1,34 @@
+//! Time step of a log.
+
+/// Length of a time step, in median periods, above which it is a gap.
+pub(crate) const GAP: f64 = 1.5;
+
+/// Time step from one good row to the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TimeStep {
+    /// Its length, s.
+    pub(crate) length: f64,
+    /// Presence of bad rows in between.
+    pub(crate) spans: bool,
+}
+
+impl TimeStep {
+    /// Excess of its length over [`GAP`] of these median periods.
+    pub(crate) fn is_gap(self, median: f64) -> bool {
+        self.length > GAP * median
+    }
+}
+
+/// Median length of `steps`, s; those over bad rows count only if there are no others. 0 without a step.
+pub(crate) fn median_period(steps: impl Iterator<Item = TimeStep> + Clone) -> f64 {
+    let length = |step: TimeStep| step.length;
+    let mut periods: Vec<f64> = steps.clone().filter(|step| !step.spans).map(length).collect();
+    if periods.is_empty() {
+        periods = steps.map(length).collect();
+    }
+    let middle = periods.len() / 2;
+    if periods.is_empty() {
+        return 0.0;
+    }
+    *periods.select_nth_unstable_by(middle, f64::total_cmp).1
+}
