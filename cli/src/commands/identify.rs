@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lyapunov_lab::identify::{self, Settings};
+use lyapunov_lab::identify::{Identified, Recording, Settings};
 use lyapunov_lab::observe::{Columns, Scale};
 
+use super::apart::apart;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
@@ -52,9 +53,10 @@ impl Identify {
         let inputs = Inputs::of("the log", [&self.log]);
         let files = names(RESULTS, ["identify"], ["identify.toml", "identify.csv"]);
         let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
-        let identified = Source::read_by(&self.log, self.quiet, |log, name| {
-            identify::identify(log, name, &settings)
+        let (recording, name) = Source::read_by(&self.log, self.quiet, |log, name| {
+            Recording::read(log, name, &settings).map(|it| (it, name.to_owned()))
         })?;
+        let identified = apart(move || Identified::of(recording, &name))?.map_err(End::input)?;
         let json = identified.to_json().map_err(End::internal)?;
         if let Some(folder) = folder {
             let results = Results::new(identified.to_html(&command_line()), RESULTS, &json);

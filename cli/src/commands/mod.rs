@@ -1,6 +1,7 @@
 //! Commands of the command line, and the ways they end.
 
 mod accuracy;
+mod apart;
 mod bound;
 mod compare;
 mod effects;

@@ -2,15 +2,13 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{RecvTimeoutError, sync_channel};
-use std::thread;
-use std::time::Duration;
 
 use clap::Args;
 use indicatif::ProgressBar;
 use lyapunov_lab::paper::{Case, Draws, FIGURES, PaperError, Study, figures};
 use lyapunov_lab::{Csv, OutputError, Rollout, Scene, shell_word};
 
+use super::apart::apart;
 use super::folder::Folder;
 use super::results::{Results, names};
 use super::{BAR, End, print, program, shown};
@@ -18,9 +16,6 @@ use crate::files::Inputs;
 
 /// The file that `--json` prints.
 const RESULTS: &str = "claims.json";
-
-/// Time between two checks for interrupts.
-const BREATH: Duration = Duration::from_millis(50);
 
 /// Judge the paper's claims and draw its figures 6 to 9: a report, verdicts, figures and rows.
 ///
@@ -61,7 +56,13 @@ impl Paper {
         let folder = Folder::claim(&self.out, files, &Inputs::default())?;
         let bar = shown(ProgressBar::new(Study::STAGES as u64), BAR, self.quiet);
         let draws = Draws { count: self.draws, seed: self.seed };
-        let study = studied(draws, bar.clone())?;
+        let stages = bar.clone();
+        let study = apart(move || {
+            Study::run(draws, || -> Result<(), PaperError> {
+                stages.inc(1);
+                Ok(())
+            })
+        })??;
         bar.finish_and_clear();
         folder.fill(results(&study, folder.path(), &self.command())?)?;
         if self.quiet {
@@ -86,28 +87,6 @@ impl Paper {
             command += &format!(" --seed {}", self.seed);
         }
         format!("{command} --out {}", shell_word(&self.out.to_string_lossy()))
-    }
-}
-
-/// Runs the study on a thread of its own, so that an interrupt need not wait for a stage to end.
-fn studied(draws: Draws, bar: ProgressBar) -> Result<Study, End> {
-    let (sender, studies) = sync_channel(1);
-    thread::spawn(move || {
-        let study = Study::run(draws, || -> Result<(), PaperError> {
-            bar.inc(1);
-            Ok(())
-        });
-        // After an interrupt the receiver is gone.
-        let _ = sender.send(study);
-    });
-    loop {
-        match studies.recv_timeout(BREATH) {
-            Ok(study) => return Ok(study?),
-            Err(RecvTimeoutError::Timeout) => End::if_interrupted()?,
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(End::internal("the study broke off"));
-            }
-        }
     }
 }
 

@@ -13,7 +13,7 @@ pub(crate) struct TimeStep {
 }
 
 impl TimeStep {
-    /// Excess of its length over [`GAP`] of these median periods.
+    /// True where it is longer than [`GAP`] median periods.
     pub(crate) fn is_gap(self, median: f64) -> bool {
         self.length > GAP * median
     }

@@ -42,11 +42,11 @@ mod wall;
 use std::io::Read;
 
 pub use estimate::Estimate;
+pub use recording::Recording;
 pub use report::{Report, Residual, WallReport};
 
 use crate::files::log::{Columns, LogError, Scale};
 use device::Device;
-use recording::Recording;
 use replay::Replay;
 use wall::Wall;
 
@@ -78,12 +78,21 @@ pub struct Identified {
 /// A log without the requested columns, one that is too long or too short, one that is not moved by its force, and a stream
 /// that fails.
 pub fn identify(log: impl Read, name: &str, settings: &Settings) -> Result<Identified, LogError> {
-    let recording = Recording::read(log, name, settings)?;
-    let device = Device::of(&recording).map_err(|fault| fault.about(name))?;
-    let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());
-    let mut report = Report::of(name, &recording, &device, wall.as_ref());
-    let scene = scene::toml(&report);
-    let replay = Replay::of(&scene, &recording);
-    report.replayed = replay.as_ref().map(|it| it.error);
-    Ok(Identified { report, scene, recording, device, wall, replay })
+    Identified::of(Recording::read(log, name, settings)?, name)
+}
+
+impl Identified {
+    /// Fits a scene to the recording of the log called `name`.
+    ///
+    /// # Errors
+    /// A recording that is not moved by its force.
+    pub fn of(recording: Recording, name: &str) -> Result<Self, LogError> {
+        let device = Device::of(&recording).map_err(|fault| fault.about(name))?;
+        let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());
+        let mut report = Report::of(name, &recording, &device, wall.as_ref());
+        let scene = scene::toml(&report);
+        let replay = Replay::of(&scene, &recording);
+        report.replayed = replay.as_ref().map(|it| it.error);
+        Ok(Self { report, scene, recording, device, wall, replay })
+    }
 }

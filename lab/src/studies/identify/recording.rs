@@ -14,7 +14,7 @@ const FEWEST: usize = 8;
 
 /// The good rows of a log, in stretches without a gap.
 #[derive(Clone, Debug)]
-pub(super) struct Recording {
+pub struct Recording {
     pub(super) stretches: Vec<Stretch>,
     /// The median period, s.
     pub(super) period: f64,
@@ -22,8 +22,12 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// Reads the log called `name`.
-    pub(super) fn read(log: impl Read, name: &str, settings: &Settings) -> Result<Self, LogError> {
+    /// Reads the log called `name` to its end.
+    ///
+    /// # Errors
+    /// A log without the requested columns, one that is too long or too short, a time that does not increase, and a stream
+    /// that fails.
+    pub fn read(log: impl Read, name: &str, settings: &Settings) -> Result<Self, LogError> {
         let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
         let mut bad_rows = BadRows::default();
         let (mut rows, mut spans): (Vec<(Sample, bool)>, bool) = (Vec::new(), false);
