@@ -5,6 +5,7 @@ use std::str::FromStr;
 use serde::Serialize;
 
 use super::error::LogError;
+use crate::text::shorten;
 
 /// The columns of time, position, force and, optionally, velocity, in this order: by name, or by number from 1.
 ///
@@ -135,4 +136,20 @@ impl Role {
     pub(super) fn index(self) -> usize {
         self as usize
     }
+}
+
+/// The meaning that the headings of a log gave its columns unasked, in words; none where they gave none.
+pub(crate) fn described(columns: &[Column], decimal_commas: bool) -> Option<String> {
+    let told = columns.iter().filter(|it| it.is_guessed || it.unit.is_some());
+    let mut told: Vec<String> = told
+        .map(|column| {
+            let heading = shorten(column.heading.as_deref().unwrap_or_default());
+            let unit = column.unit.map_or_else(String::new, |unit| format!(" in {unit}"));
+            format!("{} is `{heading}`{unit}", column.role.letter())
+        })
+        .collect();
+    if decimal_commas {
+        told.push("numbers have decimal commas".to_owned());
+    }
+    (!told.is_empty()).then(|| told.join(", "))
 }

@@ -15,6 +15,7 @@ mod time_step;
 
 pub(crate) use bad::{Bad, LARGEST, Reason};
 pub use bad::{BadRow, BadRows};
+pub(crate) use columns::described;
 pub use columns::{Column, Columns, Role};
 pub use error::LogError;
 pub(crate) use row::Entry;

@@ -16,7 +16,6 @@
 
 mod candidate;
 mod contact;
-mod envelope;
 mod marks;
 mod observed_energy;
 mod page;
@@ -36,10 +35,6 @@ pub use replay::{Asked, Left, NOTE, Replay, Replayed};
 pub use report::{ConstantDamper, Energy, Report};
 pub use step::{Gap, Gaps};
 pub use traces::Traces;
-
-pub(crate) use envelope::Envelope;
-pub(crate) use text::described;
-pub(crate) use traces::prefix;
 
 use std::io::Read;
 

@@ -6,10 +6,10 @@ use super::candidate::Candidate;
 use super::contact::{Contact, SHARE};
 use super::observed_energy::ObservedEnergy;
 use super::report::Report;
-use super::traces::prefix;
-use crate::files::log::{Column, GAP};
+use crate::files::log::{GAP, described};
+use crate::show::prefix::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, legible, shorten};
+use crate::text::{folded, found, legible};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -213,22 +213,6 @@ impl Report {
         let rows = contacts.worst.iter().map(|contact| cells(contact, &units));
         Some(Table::new(headings.map(Heading::number)).with_rows(rows))
     }
-}
-
-/// What was read from the headings of a log and not asked for; none where nothing was.
-pub(crate) fn described(columns: &[Column], decimal_commas: bool) -> Option<String> {
-    let told = columns.iter().filter(|it| it.is_guessed || it.unit.is_some());
-    let mut told: Vec<String> = told
-        .map(|column| {
-            let heading = shorten(column.heading.as_deref().unwrap_or_default());
-            let unit = column.unit.map_or_else(String::new, |unit| format!(" in {unit}"));
-            format!("{} is `{heading}`{unit}", column.role.letter())
-        })
-        .collect();
-    if decimal_commas {
-        told.push("numbers have decimal commas".to_owned());
-    }
-    (!told.is_empty()).then(|| told.join(", "))
 }
 
 /// History of an observed energy in words.

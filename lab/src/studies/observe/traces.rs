@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use super::envelope::Envelope;
 use super::marks::Marks;
 use super::report::Report;
 use crate::files::log::Sample;
+use crate::show::envelope::Envelope;
+use crate::show::prefix::prefix;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// Curves of a log, in a bounded number of points.
@@ -21,15 +22,6 @@ pub struct Traces {
 
 /// The least width of a mark, as a share of the log.
 const MARK: f64 = 0.006;
-
-/// Readable unit for a magnitude: its factor from SI, and its prefix.
-pub(crate) fn prefix(largest: f64) -> (f64, &'static str) {
-    match largest {
-        size if size >= 1.0 || size == 0.0 => (1.0, ""),
-        size if size >= 1e-3 => (1e3, "m"),
-        _ => (1e6, "µ"),
-    }
-}
 
 impl Traces {
     pub(super) fn new() -> Self {

@@ -5,10 +5,10 @@ use std::collections::VecDeque;
 use lyapunov::PortSample;
 use lyapunov::accumulators::{Accumulator, Compensated};
 
-use super::super::envelope::Envelope;
 use super::Replayed;
 use super::entrant::{Answer, Entrant};
 use crate::files::log::Sample;
+use crate::show::envelope::Envelope;
 use crate::simulate::family::StabilizerName;
 
 /// Account of one stabilizer, row by row.

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::super::envelope::Envelope;
+use crate::show::envelope::Envelope;
 
 /// What one stabilizer would have done on the recorded motion, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

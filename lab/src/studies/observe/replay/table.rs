@@ -3,8 +3,8 @@
 use super::Replay;
 use super::group::Group;
 use crate::show::csv;
+use crate::show::prefix::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::studies::observe::traces::prefix;
 use crate::text::folded;
 
 impl Replay {

@@ -5,13 +5,12 @@ use serde::Serialize;
 
 use super::picture::Overlay;
 use super::{Difference, Differences, Start};
-use crate::files::log::{BadRows, Column};
+use crate::files::log::{BadRows, Column, described};
 use crate::measure::{Oddity, Summary};
 use crate::show::csv;
 use crate::show::html;
 use crate::show::labelled::labelled;
 use crate::show::table::{Cell, Heading, Table};
-use crate::studies::observe::described;
 use crate::text::{folded, found, legible};
 
 /// A log laid over the run of a scene.

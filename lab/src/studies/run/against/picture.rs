@@ -3,7 +3,8 @@
 use lyapunov_figures::{Figure, Panel, Series};
 
 use super::{Laid, Pair};
-use crate::studies::observe::{Envelope, prefix};
+use crate::show::envelope::Envelope;
+use crate::show::prefix::prefix;
 use crate::text::file_name;
 
 /// Curves of a log and of the run at its rows, in a bounded number of points.
