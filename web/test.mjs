@@ -211,6 +211,26 @@ async function shared(browser) {
   await closed(page);
 }
 
+/** An address or a file that the page cannot run leaves what it shows, and lines are offered only where they say what runs. */
+async function refused(browser) {
+  const page = await opened(browser, {}, "#scalar=%22f32%22&duration=1");
+  const text = (at) => page.value(`document.querySelector("${at}").textContent`);
+  assert.notEqual(await text("#said"), "The scene of this address.");
+  assert.equal(await page.value("lyapunov.state.tree.scalar"), undefined);
+  await slide(page, "device.mass", 0.5);
+  assert.equal(await text("#fault"), "");
+  await page.close();
+  const cut = await opened(browser, {}, "#duration=%2");
+  assert.ok((await cut.value("document.querySelector('#fault').textContent")).includes("cut"));
+  assert.equal((await verdicts(cut)).length, 3);
+  const sphere = readFileSync(join(root, "scenes/sphere.toml"), "utf8");
+  await cut.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(sphere)}], "sphere.toml"));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await cut.until("document.querySelector('#done').textContent.includes('sphere.toml is open')");
+  assert.ok(await cut.value("[...document.querySelectorAll('#lines button')].every((it) => it.disabled)"));
+  await cut.close();
+}
+
 /** The presets of the paper: the verdicts and the numbers that the page says. */
 async function paper(browser) {
   const page = await opened(browser);
@@ -293,7 +313,7 @@ async function book(browser) {
 
 const browser = new Browser(chromium);
 try {
-  for (const check of [words, rows, dropped, maps, reasons, hand, frames, shared, paper, lines, looks, book]) {
+  for (const check of [words, rows, dropped, maps, reasons, hand, frames, shared, refused, paper, lines, looks, book]) {
     if (only.length && !only.includes(check.name)) continue;
     const began = performance.now();
     await check(browser);

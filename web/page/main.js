@@ -136,14 +136,19 @@ function update() {
   const scene = toml(state.tree);
   const held = loops.take(names().map((name) => `${name}\n${scene}`), state.tree.servo_rate);
   $("show-live").disabled = !held;
-  $("tip").textContent = held ? TIP : `${loops.refused}: below are its runs from the start, along the first axis.`;
+  $("tip").textContent = held ? TIP : `${loops.refused}. Below are its runs from the start.`;
   $("tip").hidden = held && loops.touched;
   $("wall").parentElement.classList.toggle("pale", !held);
+  $("wall").setAttribute("aria-disabled", String(!held));
   if (!held) look("run");
   cards();
   show(state.tree);
   state.stale = true;
   map.show(state.tree, names());
+  for (const button of $("lines").children) {
+    button.disabled = !state.tree.environment?.wall || Boolean(state.tree.space);
+    button.title = button.disabled ? "There are lines for a wall on a line only." : "";
+  }
   for (const button of $("why-of").children) {
     const name = names()[button.dataset.index];
     button.setAttribute("aria-pressed", String(name === state.under));
@@ -158,9 +163,13 @@ function update() {
   return true;
 }
 
+/** Takes a scene; one that does not run is told and changes nothing. */
 function take(tree) {
+  const before = state.tree;
   state.tree = tree;
-  update();
+  const runs = update();
+  if (!runs) state.tree = before;
+  return runs;
 }
 
 /** Applies a remedy: keys of the scene; those of a stabilizer choose the loop to look at. */
@@ -245,13 +254,8 @@ function opened(name, text) {
       $("done").textContent = `${name} is a log: below is what the observer says of it.`;
       return;
     }
-    const before = state.tree;
-    state.tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
+    if (!take(bare(JSON.parse(engine.text("read", `\n${text}`))))) return;
     look("run");
-    if (!update()) {
-      state.tree = before;
-      return;
-    }
     loops.letGo();
     $("said").textContent = `The scene of ${name}.`;
     $("done").textContent = `${name} is open.`;
@@ -359,9 +363,8 @@ async function begin(module, source) {
   wire({ $, engine, now: () => ({ tree: state.tree, name: state.under }), open });
   start(PRESETS[0]);
   const shared = sharedScene();
-  if (shared) {
+  if (shared && take(shared)) {
     $("said").textContent = "The scene of this address.";
-    take(shared);
     loops.letGo();
   }
   redraws();

@@ -27,7 +27,7 @@ impl Live {
     /// The loop of `scene`, at standstill at `place`.
     fn of(scene: Scene, place: f64) -> Result<Self, String> {
         if scene.dimensions() > 1 {
-            return Err("The hand moves on a line, and this scene is in a space".to_owned());
+            return Err("The hand moves on a line, and this scene is in a space, of which the first axis is shown".to_owned());
         }
         let parts = Impedance {
             mass: scene.operator.mass.get() + scene.device.mass.get(),

@@ -326,3 +326,30 @@ def test_work_goes_on_after_a_fork():
     assert os.read(reader, 5) == b"same"
     signal.alarm(0)
     os.waitpid(child, 0)
+
+
+def test_a_merge_that_is_refused_or_inherited_leaves_its_folder_alone(tmp_path):
+    scene = ly.Scene(WALL).to_dict()
+    asked = (ly.Scene({**scene, "duration": 0.1}), "environment.wall.stiffness=500..9000:4", "device.mass=0.1..0.4:4", "popc")
+    tables = [tmp_path / f"{index}.csv" for index in range(2)]
+    for index, table in enumerate(tables):
+        table.write_bytes(ly._lyapunov.map_shard(*asked, f"{index}/2"))
+    (tmp_path / "bad.csv").write_text("no table")
+    with pytest.raises(ly.InputError, match="bad.csv"):
+        ly._lyapunov.MapMerge(tmp_path / "bad.csv", tmp_path / "out.csv")
+    assert not list(tmp_path.glob("*.begun"))
+    merge = ly._lyapunov.MapMerge(tables[0], tmp_path / "out.csv")
+    with pytest.raises(ly.InputError, match="shard 0/2 is missing"):
+        merge.add(tables[1])
+    merge = ly._lyapunov.MapMerge(tables[0], tmp_path / "out.csv")
+    for table in tables:
+        merge.add(table)
+    child = os.fork()
+    if child == 0:
+        del merge
+        os._exit(0)
+    os.waitpid(child, 0)
+    merge.end()
+    whole = ly._lyapunov.map_shard(*asked, "0/1")
+    assert (tmp_path / "out.csv").read_bytes() == whole
+    assert not list(tmp_path.glob("*.begun"))

@@ -92,7 +92,7 @@ enum Shards {
 impl From<CheckpointError> for End {
     fn from(error: CheckpointError) -> Self {
         match error {
-            CheckpointError::Stopped => Self::Interrupted,
+            error @ CheckpointError::Stopped(_) => Self::Kept(error.to_string()),
             error => Self::input(error),
         }
     }
@@ -246,7 +246,7 @@ impl Map {
     pub(super) fn ended(&self, error: RunError) -> End {
         match error {
             RunError::Stopped => End::Interrupted,
-            RunError::Threads(_) => End::internal(error),
+            RunError::Threads(_) => End::input(error),
             RunError::Output(error) => End::input(error),
             RunError::Cell(error) => self.blame(error),
         }

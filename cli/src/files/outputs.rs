@@ -24,7 +24,7 @@ impl<'a> Outputs<'a> {
     ///
     /// # Errors
     /// As [`Output::create`], and a full device.
-    pub(crate) fn put(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
+    fn put(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
         let mut output = Output::create(&self.folder.join(name))?;
         output.write_all(bytes.as_ref()).map_err(|error| output.blame(error))?;
         self.add(output)

@@ -70,6 +70,22 @@ fn a_map_is_the_same_whole_in_shards_and_on_any_threads() {
     assert!(!figure.contains(">0.2<") && !figure.contains("stable: dark"));
 }
 
+/// Rows of a band are written by all threads, a thousand cells each.
+#[test]
+fn the_rows_of_many_threads_stand_in_their_order() {
+    let place = Place::new();
+    place.put_scene("scene.toml", "duration = 10.0", "duration = 0.1");
+    let (x, y) = ("environment.wall.stiffness=500..20000:96", "environment.wall.damping=0..20:64");
+    let map = |out: &str, more: &[&str]| {
+        let words = ["map", "scene.toml", "--x", x, "--y", y, "--stabilizers", "none,popc"];
+        place.run(words.iter().chain(&["--out", out, "--quiet"]).chain(more)).ended(0, &[]);
+        place.text(&format!("{out}/map.csv"))
+    };
+    let one = map("one", &["--threads", "1"]);
+    assert!(one.lines().count() > 2 * 96 * 64);
+    assert!(map("three", &["--threads", "3"]) == one, "the rows differ");
+}
+
 #[test]
 fn the_family_is_mapped_beside_the_stabilizers_of_scenes() {
     let place = place();

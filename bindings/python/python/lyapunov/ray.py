@@ -6,6 +6,7 @@ are put together in their order. Call `ray.init()` first, with the address of th
 
 from __future__ import annotations
 
+import contextlib
 import math
 import os
 import re
@@ -52,7 +53,7 @@ def map(  # noqa: A001
     """The map of `lyapunov.map` on all workers, as map.csv and map.json in `folder`, which is made if it is not there.
 
     The tables of shards that are complete stay in the folder until the map is: a call with the same arguments goes on from them.
-    Only this process writes into it. `shards` is their number, by default such that each takes some seconds.
+    Only this process writes into it. A worker holds the table of its shard in memory. `shards` is their number, by default such that each takes some seconds.
     """
     read, names, place = _scene(scene), _names(stabilizers) or "", Path(folder)
     place.mkdir(parents=True, exist_ok=True)
@@ -69,16 +70,20 @@ def map(  # noqa: A001
             missing.append(index)
         elif not _begins(table, _lyapunov.shard_head(read, x, y, names, f"{index}/{count}")):
             raise InputError(f"{table} is of another map\n  = go on with the arguments that it was begun with, or choose another folder")
-    tasks = {_shard.remote(*asked, f"{index}/{count}"): index for index in missing}
-    whole = _Whole(tables, place / "map.csv")
-
-    def keep(index: int, table: bytes) -> None:
-        _write(tables[index], table)
+    # Only this process writes into the folder: what is begun there is of one that was killed.
+    for begun in place.glob("map.*.begun"):
+        begun.unlink()
+    with contextlib.closing(_Whole(tables, place / "map.csv")) as whole:
         whole.grow()
+        tasks = {_shard.remote(*asked, f"{index}/{count}"): index for index in missing}
 
-    with shown(progress, "map") as bar:
-        _gather(tasks, keep, bar, count)
-    told = whole.end()
+        def keep(index: int, table: bytes) -> None:
+            _write(tables[index], table)
+            whole.grow()
+
+        with shown(progress, "map") as bar:
+            _gather(tasks, keep, bar, count)
+        told = whole.end()
     _write(place / "map.json", told.json.encode())
     for table in tables:
         table.unlink()
@@ -192,9 +197,12 @@ class _Whole:
             self.merged += 1
 
     def end(self) -> _lyapunov.Told:
-        self.grow()
         assert self.merge is not None, "every table is there"
         return self.merge.end()
+
+    def close(self) -> None:
+        # Its unfinished file goes with it, whoever holds the error that ended it.
+        self.merge = None
 
 
 def _joined(parts: list[dict[str, Column]]) -> dict[str, Column]:

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::columns::Columns;
-use super::run::wide_enough;
+use super::run::in_f64;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::axes::Axes;
@@ -87,7 +87,7 @@ fn compared(
     if own.is_empty() {
         return in_space!(scene, V => meet(name, scene, Entrants::<V>::of(names.on(scene)), watched));
     }
-    wide_enough(scene)?;
+    in_f64(scene)?;
     let raised = Raised::default();
     let met = in_space_of!(f64, scene, V => {
         meet(name, scene, entered::<V>(names, scene, own, &raised), watched)

@@ -59,7 +59,7 @@ pub(super) fn grid_of(
 pub(super) fn fault(name: &str, error: RunError) -> Fault {
     match error {
         RunError::Stopped => Fault::Stopped,
-        error @ RunError::Threads(_) => Fault::internal(error),
+        error @ RunError::Threads(_) => Fault::input(error),
         error => Fault::input(format_args!("{name}: {error}")),
     }
 }

@@ -67,7 +67,7 @@ fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<To
             })
         }
         By::Python(object, raised) => {
-            wide_enough(scene)?;
+            in_f64(scene)?;
             let told = in_space_of!(f64, scene, V => {
                 drain(scene, name, foreign::<V>(scene, object, raised)?, watched)
             });
@@ -78,7 +78,7 @@ fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<To
 }
 
 /// Checks that a stabilizer written in Python can run in `scene`.
-pub(super) fn wide_enough(scene: &lab::Scene) -> Result<(), Fault> {
+pub(super) fn in_f64(scene: &lab::Scene) -> Result<(), Fault> {
     match scene.scalar {
         lab::Scalar::F64 => Ok(()),
         lab::Scalar::F32 => Err(Fault::input(

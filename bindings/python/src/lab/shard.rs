@@ -2,10 +2,11 @@
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use lyapunov_lab::family::StabilizerNames;
-use lyapunov_lab::map::{Axis, Grid, Merge, Run, Shard, TableHeader, rows};
+use lyapunov_lab::map::{Axis, Grid, Merge, MergeError, Run, Shard, TableHeader, rows};
 use lyapunov_lab::{OutputError, sync_folder};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -81,8 +82,9 @@ fn asked(scene: &Bound<'_, Scene>, x: &str, y: &str, names: &str) -> PyResult<(S
 #[pyclass(module = "lyapunov._lyapunov")]
 pub(crate) struct MapMerge {
     path: PathBuf,
-    /// The file while it is unfinished.
+    /// The file while it is unfinished, and the process whose it is: a forked one leaves it alone.
     part: PathBuf,
+    process: u32,
     /// None where the last table was refused.
     begun: Option<Begun>,
 }
@@ -101,24 +103,29 @@ impl MapMerge {
     /// Begins the map of which `table` is a shard, in a file that has the name `path` when it is complete.
     #[new]
     fn new(table: PathBuf, path: PathBuf) -> PyResult<Self> {
-        let number = MERGES.fetch_add(1, Ordering::Relaxed);
-        let part = path.with_extension(format!("{}.{number}.begun", std::process::id()));
+        let (number, process) = (MERGES.fetch_add(1, Ordering::Relaxed), process::id());
+        let part = path.with_extension(format!("{process}.{number}.begun"));
         let refused = |error| errors::input(OutputError::new(&path, error));
         let out = File::create(&part).map_err(refused)?;
+        // From here on its file is removed with it.
+        let mut this = Self { path: path.clone(), part, process, begun: None };
         let file = out.try_clone().map_err(refused)?;
         let merge = Merge::begin(&table, out, &path).map_err(errors::input)?;
-        Ok(Self { path, part, begun: Some(Begun { merge, rows: Rows::default(), file }) })
+        this.begun = Some(Begun { merge, rows: Rows::default(), file });
+        Ok(this)
     }
 
     /// Adds the next shard, whose table is at `table`.
     fn add(&mut self, py: Python<'_>, table: PathBuf) -> PyResult<()> {
-        let mut begun = self.taken()?;
+        let Begun { merge, mut rows, file } = self.taken()?;
         self.begun = Some(wait(py, None, 1, move |watched| {
-            let Begun { merge, rows, .. } = &mut begun;
             let each = |grid: &_, cell, outcomes: &[_]| rows.add(grid, cell, outcomes);
             let go_on = || watched.go_on().is_continue();
-            merge.add(&table, &go_on, each).map_err(Fault::input)?;
-            Ok(begun)
+            let merge = merge.add(&table, &go_on, each).map_err(|error| match error {
+                MergeError::Stopped => Fault::Stopped,
+                error => Fault::input(error),
+            })?;
+            Ok(Begun { merge, rows, file })
         })?);
         Ok(())
     }
@@ -148,7 +155,9 @@ impl MapMerge {
 
 impl Drop for MapMerge {
     fn drop(&mut self) {
-        // What is complete has another name by now.
-        let _ = fs::remove_file(&self.part);
+        if process::id() == self.process {
+            // What is complete has another name by now.
+            let _ = fs::remove_file(&self.part);
+        }
     }
 }

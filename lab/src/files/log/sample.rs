@@ -13,7 +13,7 @@ pub(crate) struct Sample {
 }
 
 impl Sample {
-    /// Whether `later` comes after this row, by more than a division by the time between them can bear.
+    /// True where `later` comes so long after this row that one may divide by the time between them.
     pub(crate) fn is_before(&self, later: &Self) -> bool {
         later.t - self.t >= SHORTEST
     }

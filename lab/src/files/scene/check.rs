@@ -119,12 +119,12 @@ impl Draft {
     }
 
     /// Checks that this program has the loop of the scalar.
-    #[cfg(feature = "every-signal")]
+    #[cfg(feature = "every-scalar")]
     fn check_signal(&self) -> Result<(), Conflict> {
         Ok(())
     }
 
-    #[cfg(not(feature = "every-signal"))]
+    #[cfg(not(feature = "every-scalar"))]
     fn check_signal(&self) -> Result<(), Conflict> {
         if self.scalar == Scalar::F32 {
             let problem = "this program computes in f64 only";

@@ -44,7 +44,7 @@ impl<'a> Scenes<'a> {
         self,
         port: P,
     ) -> impl OnePort<V> + 'static + use<V, P> {
-        #[cfg(not(feature = "every-signal"))]
+        #[cfg(not(feature = "every-scalar"))]
         let port = self.port(port);
         port
     }

@@ -218,7 +218,7 @@ space! {
 }
 
 /// Evaluates an expression with the type `$signal` set to the signal at the port of a scene.
-#[cfg(feature = "every-signal")]
+#[cfg(feature = "every-scalar")]
 #[macro_export]
 macro_rules! in_space {
     ($scene:expr, $signal:ident => $expression:expr) => {
@@ -230,7 +230,7 @@ macro_rules! in_space {
 }
 
 /// The same of a program without loops in `f32`: [`Draft::check`] refuses such scenes.
-#[cfg(not(feature = "every-signal"))]
+#[cfg(not(feature = "every-scalar"))]
 #[macro_export]
 macro_rules! in_space {
     ($scene:expr, $signal:ident => $expression:expr) => {

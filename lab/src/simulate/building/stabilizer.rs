@@ -66,7 +66,7 @@ impl<V: Space> AnyStabilizer<V> {
     ) -> Self {
         let part = On::new(stabilizer, instructions);
         // Loops that are small rather than fast call every stabilizer.
-        Self(if cfg!(feature = "every-signal") {
+        Self(if cfg!(feature = "every-scalar") {
             Box::new(Fused(part))
         } else {
             Box::new(Called(part))
@@ -179,7 +179,7 @@ impl<V: Space> Render<V> for Booking<V::Scalar> {
         _environment: impl ForceLaw<V> + 'static,
         credit: impl LyapunovCandidate<V> + 'static,
     ) -> Result<Self::Made, ParameterError> {
-        #[cfg(not(feature = "every-signal"))]
+        #[cfg(not(feature = "every-scalar"))]
         let credit = AnyCandidate::<V>(Box::new(credit));
         Ok(AnyStabilizer::watching((PortEnergy, credit), self))
     }

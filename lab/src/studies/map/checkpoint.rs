@@ -44,8 +44,8 @@ pub enum CheckpointError {
     Table(PathBuf, TableError),
     /// The place cannot be written to.
     Output(OutputError),
-    /// The caller did not want to go on.
-    Stopped,
+    /// The caller did not want to go on; the unfinished table is as it was.
+    Stopped(PathBuf),
 }
 
 impl From<OutputError> for CheckpointError {
@@ -84,7 +84,11 @@ impl fmt::Display for CheckpointError {
                 write!(f, "{}: {error}\n  = {remedy}", path.display())
             }
             Self::Output(error) => error.fmt(f),
-            Self::Stopped => f.write_str("the reading of an unfinished map was stopped"),
+            Self::Stopped(path) => write!(
+                f,
+                "interrupted while {} was read, which is as it was\n  = go on with --resume",
+                path.display()
+            ),
         }
     }
 }
@@ -206,7 +210,7 @@ impl Checkpoint {
         let (mut line, seal) = (Vec::new(), self.head.seal());
         for row in 1.. {
             if u64::is_multiple_of(row, SHARE as u64) && !go_on() {
-                return Err(CheckpointError::Stopped);
+                return Err(CheckpointError::Stopped(self.part.clone()));
             }
             line.clear();
             if !table::next_line(&mut lines, &mut line).map_err(unreadable)? {
@@ -268,7 +272,7 @@ fn read(
     let mut next = cells.start;
     while next < cells.end {
         if next.is_multiple_of(SHARE as u64) && !go_on() {
-            return Err(CheckpointError::Stopped);
+            return Err(CheckpointError::Stopped(path.to_owned()));
         }
         match rows.next_cell() {
             Ok(None) => break,

@@ -105,18 +105,18 @@ impl<W: Write> Merge<W> {
         Ok((rows, shard))
     }
 
-    /// Adds the next shard, whose table is at `path`; `each` learns the outcomes of every cell, and `go_on` is polled now and
-    /// then.
+    /// The map with the next shard, whose table is at `path`; `each` learns the outcomes of every cell, and `go_on` is polled
+    /// now and then. A refused table ends the merge: some of it may be written.
     ///
     /// # Errors
     /// A table that is not the next shard, or not the whole of it; a place that cannot be written to; [`MergeError::Stopped`]
     /// if `go_on` returns false.
     pub fn add(
-        &mut self,
+        mut self,
         path: &Path,
         go_on: &dyn Fn() -> bool,
         mut each: impl FnMut(&Grid, u64, &[Outcome]),
-    ) -> Result<(), MergeError> {
+    ) -> Result<Self, MergeError> {
         let (rows, shard) = self.opened(path)?;
         match shard.index.cmp(&self.next.index) {
             Ordering::Less => return Err(MergeError::Twice(path.to_owned(), shard)),
@@ -144,7 +144,8 @@ impl<W: Write> Merge<W> {
                 return Err(MergeError::Stopped);
             }
         }
-        Ok(rows.end().map_err(wrong)?)
+        rows.end().map_err(wrong)?;
+        Ok(self)
     }
 
     /// The survey of the map, once it is written.
@@ -183,7 +184,7 @@ pub fn merge(
         paths.iter().map(|path| shard(path)).collect::<Result<Vec<_>, MergeError>>()?;
     shards.sort_by_key(|(index, _)| *index);
     for (_, path) in shards {
-        merge.add(path, go_on, |_, _, _| ())?;
+        merge = merge.add(path, go_on, |_, _, _| ())?;
     }
     merge.end()
 }

@@ -24,7 +24,7 @@ impl fmt::Display for RunError {
             Self::Cell(error) => error.fmt(f),
             Self::Output(error) => error.fmt(f),
             Self::Threads(error) => {
-                write!(f, "threads cannot be started: {error}\n  = give fewer with --threads")
+                write!(f, "threads cannot be started: {error}\n  = give fewer threads")
             }
             Self::Stopped => f.write_str("the map was stopped"),
         }

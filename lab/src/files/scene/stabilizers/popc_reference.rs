@@ -97,7 +97,7 @@ impl<T: Scalar, R: Install<T>> Render<T> for Following<T, R> {
         _credit: impl LyapunovCandidate<T> + 'static,
     ) -> Result<R::Made, ParameterError> {
         let stored = move |x, v| environment.stored(&Kinematics::at(x, v));
-        #[cfg(not(feature = "every-signal"))]
+        #[cfg(not(feature = "every-scalar"))]
         let stored: Box<dyn Fn(T, T) -> T> = Box::new(stored);
         self.of(stored)
     }

@@ -5,7 +5,7 @@ use lyapunov::{Correction, Mask, PortSample, Scalar, Stabilizer};
 use super::account::Account;
 use super::{Asked, Left};
 use crate::files::log::LogError;
-#[cfg(feature = "every-signal")]
+#[cfg(feature = "every-scalar")]
 use crate::files::scene::Scalar as Width;
 use crate::files::scene::Scene;
 use crate::simulate::family::StabilizerName;
@@ -19,7 +19,7 @@ const AROUND: &str =
 #[derive(Debug)]
 pub(super) enum Entrant {
     Wide(AnyStabilizer<f64>),
-    #[cfg(feature = "every-signal")]
+    #[cfg(feature = "every-scalar")]
     Narrow(AnyStabilizer<f32>),
 }
 
@@ -37,7 +37,7 @@ impl Entrant {
     pub(super) fn answer(&mut self, sample: &PortSample<f64>, effort: f64) -> Answer {
         match self {
             Self::Wide(stabilizer) => told(stabilizer, sample, effort),
-            #[cfg(feature = "every-signal")]
+            #[cfg(feature = "every-scalar")]
             Self::Narrow(stabilizer) => told(stabilizer, sample, effort),
         }
     }
@@ -96,7 +96,7 @@ fn entrant(
     member: StabilizerName,
     scene: &Scene,
 ) -> Result<Option<Entrant>, lyapunov::ParameterError> {
-    #[cfg(feature = "every-signal")]
+    #[cfg(feature = "every-scalar")]
     if scene.scalar == Width::F32 {
         return Ok(member.on(scene).map(Fitted::behind)?.map(Entrant::Narrow));
     }
