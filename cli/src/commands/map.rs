@@ -32,8 +32,6 @@ const SWEEP: &str = "sweep.json";
 /// The file of the scene that the page of merged shards shows, as its commands name it.
 pub(super) const MERGED: &str = "scene.toml";
 
-const MAP_BAR: &str = "{bar:30} {percent:>3} %, {per_sec}, {eta} left";
-
 /// Map in which cells of a grid of two numbers of a scene the run settles, swings or grows, and how it behaves.
 ///
 /// Prints which share of the runs settles under each stabilizer, and which stays bounded. With --out it writes map.csv (a
@@ -218,7 +216,7 @@ impl Map {
     ) -> Result<lyapunov_lab::map::Workload, End> {
         let cells = shard.cells(grid.cells());
         let first = checkpoint.as_ref().map_or(cells.start, Checkpoint::next);
-        let bar = shown(ProgressBar::new(cells.end - cells.start), MAP_BAR, self.quiet);
+        let bar = shown(ProgressBar::new(cells.end - cells.start), BAR, self.quiet);
         bar.set_position(first - cells.start);
         bar.reset_eta();
         let go_on = || End::if_interrupted().is_ok();

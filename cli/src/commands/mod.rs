@@ -164,7 +164,7 @@ pub(crate) fn shown(bar: ProgressBar, template: &str, quiet: bool) -> ProgressBa
         return bar;
     }
     if !io::stdout().is_terminal() || !io::stderr().is_terminal() {
-        return progress::in_lines(bar);
+        return progress::in_lines(bar, template);
     }
     let style = ProgressStyle::with_template(template);
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))

@@ -13,10 +13,13 @@ const EVERY: Duration = Duration::from_secs(30);
 
 const TEMPLATE: &str = "{msg}{percent} %, {eta} left";
 
-/// `bar` as lines on standard error.
-pub(super) fn in_lines(bar: ProgressBar) -> ProgressBar {
+/// `bar` as lines on standard error; where nobody knows how much there is, in the words of its `template`.
+pub(super) fn in_lines(bar: ProgressBar, template: &str) -> ProgressBar {
     bar.set_draw_target(ProgressDrawTarget::term_like_with_hz(Box::new(Lines::new()), 1));
-    let style = ProgressStyle::with_template(TEMPLATE);
+    let style = ProgressStyle::with_template(match bar.length() {
+        Some(_) => TEMPLATE,
+        None => template.trim_start_matches("{spinner} "),
+    });
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 

@@ -14,7 +14,7 @@ use crate::files::Inputs;
 /// The file that `--json` prints.
 const RESULTS: &str = "refined.json";
 
-const BAR: &str = "{spinner} {pos} cells judged, {per_sec}";
+const BAR: &str = "{spinner} {human_pos} cells judged, {elapsed}";
 
 impl Map {
     /// Finds the edge of stability on `grid`.
