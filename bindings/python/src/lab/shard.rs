@@ -1,6 +1,7 @@
 //! Shards of a map: a share of its cells as a table, and all shares put together.
 
 use std::fs::{self, File};
+use std::mem;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -158,6 +159,9 @@ impl Drop for MapMerge {
         if process::id() == self.process {
             // What is complete has another name by now.
             let _ = fs::remove_file(&self.part);
+        } else {
+            // Dropped, it would write what its own process has still to write.
+            mem::forget(self.begun.take());
         }
     }
 }
