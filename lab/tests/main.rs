@@ -16,6 +16,7 @@ mod late_cap;
 mod loops;
 mod map;
 mod map_cells;
+mod map_checkpoint;
 mod map_edge;
 mod models;
 mod progress;
