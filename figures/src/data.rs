@@ -20,6 +20,9 @@ use super::thinning::{thinned, thinned_dots};
 /// page of several figures stays below a megabyte.
 const MOST_POINTS: usize = 40_000;
 
+/// A curve of so many points is not thinned: one that soon ends would lose its shape for what others have too many.
+const FEWEST: f64 = 200.0;
+
 /// Digits of an abscissa: a time stays apart from the next one over a million ticks.
 const X_DIGITS: usize = 9;
 
@@ -136,14 +139,18 @@ fn of_heat(heat: &HeatMap, digits: usize) -> String {
     )
 }
 
-/// The points of a curve, or of a long one those that show its extremes, at most a `share` of them.
+/// The points of a curve, or of a long one those that show its extremes: a `share` of them, or [`FEWEST`].
 fn kept(series: &Series, x: Span, y: Span, share: f64) -> Vec<(f64, f64)> {
     let points = &series.points;
     if share >= 1.0 || series.trace == Trace::Bars {
         return points.clone();
     }
+    let most = (share * points.len() as f64).max(FEWEST);
+    if points.len() as f64 <= most {
+        return points.clone();
+    }
     // At most four points of a column are kept.
-    let width = share * points.len() as f64 / 4.0;
+    let width = most / 4.0;
     let place = |&(a, b): &(f64, f64)| (width * x.fraction(a), width * y.fraction(b));
     let back = |span: Span, part: f64| span.low + part / width * (span.high - span.low);
     let runs = points.split(|(a, b)| !(a.is_finite() && b.is_finite()));

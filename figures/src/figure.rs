@@ -76,7 +76,7 @@ impl Figure {
     ///
     /// Panels with their ranges, guides and curves; `x` of a curve is an index into the lists of abscissae at the end. A
     /// coordinate that is not finite is null. Abscissae have nine digits, ordinates six; beyond 40 000 points together all
-    /// curves are thinned by the same share, and `thinned` is true. The elements of heat maps have four to two digits, the
+    /// long curves are thinned by the same share, and `thinned` is true. The elements of heat maps have four to two digits, the
     /// fewer the more there are; a ramp of very many has none.
     #[must_use]
     pub fn to_data(&self) -> String {

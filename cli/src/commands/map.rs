@@ -62,10 +62,10 @@ pub(crate) struct Map {
     /// Write the map into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
-    /// Go on with the unfinished map in the folder.
+    /// Go on with the unfinished map in the folder; a sweep, without --y, leaves none.
     #[arg(long, requires_all = ["out", "y"])]
     resume: bool,
-    /// Compute share i of n only, i from 0; `lyapunov map merge` puts the shares together.
+    /// Compute share i of n only, i from 0; `lyapunov map merge` puts the shares together. A sweep is not cut.
     #[arg(long, value_name = "i/n", requires_all = ["out", "y"])]
     shard: Option<Shard>,
     /// Find the edge of stability at the resolution of the grid, from few of its runs.

@@ -98,7 +98,7 @@ impl LoopMap {
         Self { delay, plant: plant.times(&z()), rest, stiffness, unit }
     }
 
-    /// The roots `w` of `P` at a stiffness of `kappa`.
+    /// The roots `w` of `P` at a stiffness of `kappa`; NaN for those out of the range of the numbers.
     pub(super) fn roots(&self, kappa: f64) -> Vec<Complex<f64>> {
         let answer = self.rest.plus(&self.stiffness.scaled(kappa.into()));
         let is_open = answer.coefficients().iter().all(|it| it.is_zero());
@@ -126,8 +126,12 @@ impl LoopMap {
         settle(&mut places, step);
         let polished = places.into_iter().map(|w| {
             // The value to all digits; its derivative needs few.
-            let slope = self.value(&answer, delay, w) / step(w);
-            let change = self.long_value(&answer, delay, w) / slope;
+            let (newton, value) = (step(w), self.long_value(&answer, delay, w));
+            let is_lost = !(newton.re.is_finite() && newton.im.is_finite());
+            if is_lost && value != Complex::from(0.0) {
+                return Complex::from(f64::NAN);
+            }
+            let change = value / (self.value(&answer, delay, w) / newton);
             if change.norm_sqr() < POLISH * w.norm_sqr() { w - change } else { w }
         });
         polished.collect()

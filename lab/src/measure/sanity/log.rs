@@ -1,7 +1,10 @@
 //! Signs of a mistake in a log.
 
+use lyapunov::accumulators::{Accumulator, Compensated};
+
 use super::fit::Fit;
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
+use crate::files::log::Sample;
 use crate::text::found;
 
 /// Speed that no hand reaches, m/s: the fastest throws leave it at less.
@@ -27,23 +30,6 @@ const INTO: f64 = 0.1;
 
 /// Contact threshold as a share of the largest force so far, where no threshold is given.
 pub(crate) const SHARE: f64 = 0.01;
-
-/// A row of a log, and the step that led to it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Reading {
-    /// s.
-    pub(crate) time: f64,
-    /// m.
-    pub(crate) position: f64,
-    /// m/s.
-    pub(crate) velocity: f64,
-    /// N.
-    pub(crate) force: f64,
-    /// The length of the step, s; 0 on the first row.
-    pub(crate) period: f64,
-    /// The observed energy of held work, J.
-    pub(crate) observed: f64,
-}
 
 /// The largest of something, and its time.
 #[derive(Clone, Copy, Debug, Default)]
@@ -74,6 +60,9 @@ struct Sizes {
 pub(crate) struct LogSigns {
     contact: Option<f64>,
     rows: u64,
+    last: Option<Sample>,
+    /// Energy by the force of each row held until the next, `Σ f Δx`, J.
+    held: Compensated<f64>,
     all: Sizes,
     /// Until the port has given energy: what moves until then does so by the hand.
     by_hand: Sizes,
@@ -98,6 +87,8 @@ impl LogSigns {
         Self {
             contact,
             rows: 0,
+            last: None,
+            held: Compensated::zero(),
             all: none,
             by_hand: none,
             has_given: false,
@@ -109,16 +100,22 @@ impl LogSigns {
         }
     }
 
-    pub(crate) fn add(&mut self, row: &Reading) {
-        let Reading { time, position, velocity, force, period, observed } = *row;
+    /// Adds a row, later than the one before.
+    pub(crate) fn add(&mut self, row: &Sample) {
+        let Sample { t: time, x: position, f: force, .. } = *row;
+        let last = self.last.replace(*row).unwrap_or(*row);
+        let (period, displacement) = (time - last.t, position - last.x);
+        let mean = if period > 0.0 { displacement / period } else { 0.0 };
+        let velocity = row.v.unwrap_or(mean);
         self.rows += 1;
+        self.held.add(last.f * displacement);
         self.all.low = self.all.low.min(position);
         self.all.high = self.all.high.max(position);
         self.all.speed.add(velocity, time);
         self.all.force.add(force, time);
         if !self.has_given {
             self.by_hand = self.all;
-            self.has_given = observed < 0.0;
+            self.has_given = self.held.value() < 0.0;
         }
         let threshold = self.contact.unwrap_or(SHARE * self.all.force.size);
         if force.abs() > threshold {
@@ -132,11 +129,11 @@ impl LogSigns {
         self.highest = self.highest.max(self.sampled);
     }
 
-    /// The signs of a log of this median `period`, s, that in all `generated` so much energy, J.
-    pub(crate) fn finish(&self, period: f64, generated: f64) -> Vec<Oddity> {
+    /// The signs of a log of this median `period`, s.
+    pub(crate) fn finish(&self, period: f64) -> Vec<Oddity> {
         // A loop that generates energy may end anywhere; what it did before is the hand's.
         let reversed = self.reversed();
-        let gives = generated > 0.0 || reversed.is_some();
+        let gives = self.held.value() < 0.0 || reversed.is_some();
         let sizes = if gives { &self.by_hand } else { &self.all };
         let told =
             [time(period), motion(sizes), strong(sizes), self.faint(), self.idle(), reversed];

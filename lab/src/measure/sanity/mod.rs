@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::files::scene::{Scene, Stabilizer};
 
-pub(crate) use log::{LogSigns, Reading, SHARE};
+pub(crate) use log::{LogSigns, SHARE};
 pub(crate) use run::RunSigns;
 
 /// What a sign hints at.

@@ -65,8 +65,8 @@ function decades(min, max, most) {
   return Array.from({ length: 8 }, (_, index) => Math.log10((first + index) * even)).filter((it) => it <= max);
 }
 
-// An axis with its name, its numbers or the names of its rows.
-function axis(panel, key) {
+// An axis with its name, its numbers or the names of its rows; `room` tells the room of an ordinate from what it needs.
+function axis(panel, key, room) {
   const isLog = panel[`${key}Log`];
   const rows = key === "y" ? panel.rows : undefined;
   const written = (value) => (isLog ? power(value) : told(value, 10));
@@ -75,7 +75,7 @@ function axis(panel, key) {
     u.ctx.font = FONT;
     const widest = Math.max(0, ...(texts ?? []).map((text) => u.ctx.measureText(text).width));
     u.ctx.restore();
-    return Math.min(widest + 16, 0.45 * u.width);
+    return room(Math.min(widest + 16, 0.45 * u.width));
   };
   const made = {
     stroke: () => css("--ink"),
@@ -109,8 +109,8 @@ function fitted(u, text) {
   return kept === text ? text : `${kept.slice(0, -1)}\u2026`;
 }
 
-// Guides, dashed; or their names at the edge, which stand above the curves.
-function drawGuides(u, guides, areNames) {
+// Guides, dashed; or their names at an edge, which stand above the `curves` and cover few of their points.
+function drawGuides(u, guides, curves) {
   const { ctx, bbox } = u;
   const ratio = devicePixelRatio;
   ctx.save();
@@ -123,13 +123,13 @@ function drawGuides(u, guides, areNames) {
     const place = u.valToPos(at, way === "h" ? "y" : "x", true);
     const [from, length] = way === "h" ? [bbox.top, bbox.height] : [bbox.left, bbox.width];
     if (!(place >= from && place <= from + length)) continue;
-    if (areNames) {
+    if (curves) {
       const right = bbox.left + bbox.width - 4 * ratio;
       const start = Math.min(place + 4 * ratio, right - ctx.measureText(label).width);
-      ctx.textAlign = way === "h" ? "right" : "left";
+      ctx.textAlign = "left";
       // Names of upright guides stand below each other.
       if (way === "v") above += 13 * ratio;
-      const corner = way === "h" ? [right, place - 4 * ratio] : [Math.max(start, bbox.left), bbox.top + above];
+      const corner = way === "h" ? besideLevel(u, place, label, curves) : [Math.max(start, bbox.left), bbox.top + above];
       ctx.strokeStyle = css("--paper");
       ctx.lineWidth = 3 * ratio;
       ctx.lineJoin = "round";
@@ -144,6 +144,20 @@ function drawGuides(u, guides, areNames) {
     ctx.stroke();
   }
   ctx.restore();
+}
+
+// The left end of a name's line above or below a level, at the right or the left edge: where it covers fewest points.
+function besideLevel(u, level, label, curves) {
+  const { ctx, bbox } = u;
+  const ratio = devicePixelRatio;
+  const width = ctx.measureText(label).width;
+  const edges = [bbox.left + bbox.width - width - 4 * ratio, bbox.left + 4 * ratio];
+  const places = [level - 4 * ratio, level + 12 * ratio].flatMap((line) => edges.map((left) => [left, line]));
+  const shown = curves.filter((curve) => curve.shown).flatMap((curve) => curve.points);
+  const points = shown.map(([x, y]) => [u.valToPos(x, "x", true), u.valToPos(y, "y", true)]);
+  const covered = ([left, line]) =>
+    points.filter(([x, y]) => x >= left && x <= left + width && y <= line + 2 * ratio && y >= line - 11 * ratio).length;
+  return places.reduce((best, place) => (covered(place) < covered(best) ? place : best));
 }
 
 // The point of a curve that is nearest to the cursor: along the abscissa if the curve is a function of it.

@@ -35,7 +35,7 @@ class Plot {
     const swatch = element("span", "swatch");
     swatch.style.background = curve.colour === "#000000" ? "var(--ink)" : curve.colour;
     curve.value = element("span", "value");
-    button.append(swatch, element("span", "", curve.label || this.panel.y || "value"), curve.value);
+    button.append(swatch, element("span", "", curve.label || this.panel.y || this.panel.x || "value"), curve.value);
     button.addEventListener("click", () => this.figure.toggle(curve, !curve.shown));
     curve.button = button;
     this.legend.append(button);
@@ -66,7 +66,7 @@ class Plot {
       height,
       legend: { show: false },
       scales: { x: home(panel.xRange), y: home(panel.yRange) },
-      axes: [axis(panel, "x"), axis(panel, "y")],
+      axes: [axis(panel, "x"), axis(panel, "y", (own) => this.figure.room(this, own))],
       series: [{}, ...series],
       cursor: {
         points: { show: false },
@@ -80,8 +80,8 @@ class Plot {
         },
       },
       hooks: {
-        drawAxes: [(u) => drawGuides(u, panel.guides, false)],
-        draw: [(u) => drawGuides(u, panel.guides, true)],
+        drawAxes: [(u) => drawGuides(u, panel.guides)],
+        draw: [(u) => drawGuides(u, panel.guides, this.curves)],
         setCursor: [(u) => this.follow(u)],
         setScale: [(u, key) => key === "x" && this.u && this.figure.link(this)],
       },
@@ -227,14 +227,26 @@ class LiveFigure {
   }
 
   size() {
-    const columns = this.root.clientWidth < NARROW ? 1 : this.data.columns;
-    this.grid.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
+    this.columns = this.root.clientWidth < NARROW ? 1 : this.data.columns;
+    this.grid.style.gridTemplateColumns = `repeat(${this.columns}, minmax(0, 1fr))`;
     const height = Math.max(110, this.data.height) + 52;
     for (const plot of this.plots) {
       const width = Math.max(160, plot.frame.clientWidth);
       if (!plot.u) plot.draw(width, height);
       else if (plot.u.width !== width) plot.u.setSize({ width, height });
     }
+  }
+
+  // The room for the ordinate of a plot: the most that one of its column needs, so that their frames line up.
+  room(plot, own) {
+    plot.own = own;
+    const column = (it) => this.plots.indexOf(it) % this.columns;
+    const beside = this.plots.filter((it) => column(it) === column(plot));
+    const room = Math.max(...beside.map((it) => it.own ?? 0));
+    const others = beside.filter((it) => it !== plot && it.u && it.room !== room);
+    plot.room = room;
+    if (others.length > 0) requestAnimationFrame(() => others.forEach((it) => it.u.redraw(false, true)));
+    return room;
   }
 
   others(plot) {

@@ -28,6 +28,7 @@ type Range = (f64, f64);
 
 pub(super) fn of(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
+    let colours = colours(&everyone);
     let observed: Vec<&Outcome> =
         everyone.iter().copied().filter(|outcome| observes(outcome)).collect();
     let wall = comparison.scene.environment.wall();
@@ -35,6 +36,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     let (what, label) = coordinate(&comparison.scene);
     let position = Drawing {
         comparison,
+        colours: &colours,
         what,
         label,
         unit: "mm",
@@ -44,6 +46,7 @@ pub(super) fn of(comparison: &Comparison) -> Figure {
     };
     let energy = Drawing {
         comparison,
+        colours: &colours,
         what: "observed energy",
         label: "energy",
         unit: "mJ",
@@ -76,6 +79,7 @@ pub(super) fn forces(comparison: &Comparison) -> Figure {
     let everyone: Vec<&Outcome> = comparison.outcomes.iter().collect();
     let force = Drawing {
         comparison,
+        colours: &colours(&everyone),
         what: if comparison.scene.dimensions() > 1 {
             "size of the force on the plant"
         } else {
@@ -113,6 +117,7 @@ fn observes(outcome: &Outcome) -> bool {
 /// A curve that is drawn of every outcome.
 struct Drawing<'a> {
     comparison: &'a Comparison,
+    colours: &'a [Shared<'a>],
     what: &'static str,
     /// Its name beside a small panel.
     label: &'static str,
@@ -146,6 +151,13 @@ fn shared<'a>(outcomes: &[&'a Outcome], curves: &[fn(&Outcome) -> &Points]) -> V
     all
 }
 
+/// The outcomes that have a colour each, in every panel and figure of the page: equal ones have one.
+fn colours<'a>(outcomes: &[&'a Outcome]) -> Vec<Shared<'a>> {
+    let all: [fn(&Outcome) -> &Points; 3] =
+        [|it| &it.curves.position, |it| &it.curves.observed_energy, |it| &it.curves.force];
+    shared(outcomes, &all)
+}
+
 impl Drawing<'_> {
     /// A panel for each curve, on one scale, but for those that it would flatten or that would flatten the others.
     fn small(&self, shared: &[Shared<'_>]) -> Vec<Panel> {
@@ -166,7 +178,12 @@ impl Drawing<'_> {
                 "time, s",
                 format!("{}, {}", self.label, self.unit),
             );
-            let note = if is_apart { "own scale" } else { "" };
+            let is_zero = (self.curve)(one.first).iter().all(|point| point.1 == 0.0);
+            let note = match (is_zero, is_apart) {
+                (true, _) => "0 throughout",
+                (false, true) => "own scale",
+                (false, false) => "",
+            };
             self.framed(panel, &[(one, note.to_owned())], shown, false)
         };
         shared.iter().zip(&ranges).map(panel).collect()
@@ -203,6 +220,11 @@ impl Drawing<'_> {
         calm.into_iter().filter(judged).collect()
     }
 
+    /// The index of the colour of a curve.
+    fn colour(&self, one: &Shared<'_>) -> usize {
+        self.colours.iter().position(|it| it.names.contains(&one.names[0])).unwrap_or(0)
+    }
+
     /// The range of the curves of `outcomes`, as far as they count among `all`.
     fn range(&self, outcomes: &[&Outcome], all: &[Shared<'_>]) -> Option<Range> {
         let all_grow = all.iter().all(|one| grows(one.first));
@@ -222,7 +244,7 @@ impl Drawing<'_> {
         has_names: bool,
     ) -> Panel {
         let mut panel = panel.with_x_range(0.0, self.comparison.scene.duration.get());
-        for (index, (one, name)) in named.iter().enumerate() {
+        for (one, name) in named {
             let (outcome, points) = (one.first, (self.curve)(one.first));
             // A curve that grows ends where it first leaves the frame: its returns would only be upright lines.
             let ends = grows(outcome) || outcome.score.verdict == Verdict::TooShort;
@@ -236,7 +258,7 @@ impl Drawing<'_> {
                 (false, None) => "",
             };
             let gap = if name.is_empty() || cut.is_empty() { "" } else { " " };
-            let colour = if has_names { index } else { 0 };
+            let colour = if has_names { self.colour(one) } else { 0 };
             let scaled = kept.iter().map(|(t, y)| (*t, self.scale * y)).collect();
             panel = panel.with_series(Series::line(format!("{name}{gap}{cut}"), colour, scaled));
         }

@@ -65,7 +65,9 @@ impl Explanation {
             let what = if radius < 1.0 { "stable" } else { "not stable" };
             let alone =
                 if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
-            writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius:.8}")?;
+            let radius =
+                if radius < 100.0 { format!("{radius:.8}") } else { found(radius).to_string() };
+            writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius}")?;
         }
         if self.scene.dimensions() > 1 {
             writeln!(f, "{}", folded("  in space     ", IN_SPACE))?;
@@ -164,7 +166,7 @@ pub(super) struct Told<'a>(pub(super) &'a Remedy);
 
 impl fmt::Display for Told<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Remedy { changes, verdict, peak_force, force_error, .. } = self.0;
+        let Remedy { changes, verdict, peak_force, force_error, scene } = self.0;
         let told = changes.iter().map(|(key, change)| match change {
             Change::Number(number) => format!("{key} = {}", given(*number)),
             Change::Word(word) => format!("{key} = \"{word}\""),
@@ -174,6 +176,14 @@ impl fmt::Display for Told<'_> {
             return write!(f, "no force acts: the environment is not touched any more");
         }
         let [peak, error] = [peak_force, force_error].map(|force| found(*force));
-        write!(f, "peak force {peak} N, off the wall's own force by {error} N (rms)")
+        write!(f, "peak force {peak} N, off the wall's own force by {error} N (rms)")?;
+        // A delay is a number of ticks, which another rate makes shorter.
+        if changes.iter().any(|(key, _)| key == "servo_rate") && scene.delay_ticks() > 0 {
+            let ticks = scene.delay_ticks();
+            let last = found(1e3 * scene.period() * f64::from(ticks));
+            let ticks = if ticks == 1 { "tick".to_owned() } else { format!("{ticks} ticks") };
+            write!(f, "\n    with the delay still of {ticks}, which then lasts {last} ms")?;
+        }
+        Ok(())
     }
 }

@@ -5,6 +5,8 @@ use std::io::Read;
 use super::Settings;
 use super::stretch::Stretch;
 use crate::files::log::{BadRows, Entry, Log, LogError, Sample, TimeStep, median_period};
+use crate::measure::Oddity;
+use crate::measure::sanity::LogSigns;
 
 /// The most rows of a log.
 const MOST: usize = 200_000;
@@ -19,6 +21,8 @@ pub struct Recording {
     /// The median period, s.
     pub(super) period: f64,
     pub(super) bad_rows: BadRows,
+    /// The signs of a mistake in it.
+    pub(super) look_at: Vec<Oddity>,
 }
 
 impl Recording {
@@ -31,6 +35,7 @@ impl Recording {
         let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
         let mut bad_rows = BadRows::default();
         let (mut rows, mut spans): (Vec<(Sample, bool)>, bool) = (Vec::new(), false);
+        let mut signs = LogSigns::new(None);
         while let Some(entry) = log.read().map_err(|error| LogError::unreadable(name, &error))? {
             match entry {
                 Entry::Bad(bad) => {
@@ -46,6 +51,7 @@ impl Recording {
                         return Err(LogError::at(name, sample.line, message)
                             .with_help("sort the log, or cut it where the clock went back"));
                     }
+                    signs.add(&sample);
                     rows.push((sample, std::mem::take(&mut spans)));
                 }
             }
@@ -59,7 +65,8 @@ impl Recording {
             return Err(LogError::too_few(name, &bad_rows));
         }
         let period = median_period(rows.windows(2).map(|pair| step(&pair[0], &pair[1])));
-        Ok(Self { stretches: stretches(&rows, period), period, bad_rows })
+        let look_at = signs.finish(period);
+        Ok(Self { stretches: stretches(&rows, period), period, bad_rows, look_at })
     }
 
     /// The number of rows that are fitted to.

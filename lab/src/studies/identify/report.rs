@@ -9,6 +9,7 @@ use super::notes::notes;
 use super::recording::Recording;
 use super::wall::Wall;
 use crate::files::log::BadRows;
+use crate::measure::Oddity;
 
 /// Numbers of a scene as a log tells them, in SI units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -53,6 +54,8 @@ pub struct Report {
     pub replayed: Option<f64>,
     /// What the data cannot tell, and what they contradict.
     pub notes: Vec<String>,
+    /// The signs of a mistake in the log.
+    pub look_at: Vec<Oddity>,
 }
 
 /// What a fit leaves of the positions, root mean square, in m.
@@ -144,6 +147,7 @@ impl Report {
             },
             replayed: None,
             notes: notes(recording, device, wall),
+            look_at: recording.look_at.clone(),
         }
     }
 

@@ -56,6 +56,7 @@ impl Report {
             );
         }
         self.notes.iter().for_each(|note| say("note", note));
+        self.look_at.iter().for_each(|it| say("look at", &it.text));
         lines.push(String::new());
         lines.join("\n")
     }

@@ -49,6 +49,12 @@ impl Vary {
             }
             // A scene may leave out a number with a default.
             None if find(tree, table(key)).is_some() && is_number(key) => is_whole(key),
+            None if is_number(key) => {
+                let table = table(key);
+                let problem = format!("the scene has no table [{table}]");
+                let remedy = format!("`{key}` is a number of it: add the table to the scene");
+                return Err(VaryError::new(problem, remedy));
+            }
             None => {
                 let problem = format!("the scene has no number `{key}`");
                 return Err(VaryError::new(problem, known(tree, key)));

@@ -11,7 +11,7 @@ use super::step::{Gaps, Step};
 use super::tally::Tally;
 use super::traces::Traces;
 use crate::files::log::{Bad, BadRows, Entry, LogError, Reason, Sample, median_period};
-use crate::measure::sanity::{LogSigns, Reading};
+use crate::measure::sanity::LogSigns;
 
 /// Number of steps that the median period is estimated from; they wait until it is known.
 const WAITING: usize = 1024;
@@ -128,7 +128,7 @@ impl Watch {
             account.traces.bad_rows(last.t, last.t);
         }
         let contacts = account.contacts.finish();
-        let look_at = account.signs.finish(period, account.port.generated());
+        let look_at = account.signs.finish(period);
         let report = Report {
             log: name.to_owned(),
             rows: self.rows,
@@ -204,9 +204,7 @@ impl Books {
         (self.held_course, self.sampled_course) =
             (ObservedEnergy::starting(reading.t), ObservedEnergy::starting(reading.t));
         self.traces.add(reading, 0.0, 0.0);
-        let (velocity, period, observed) = (reading.v.unwrap_or(0.0), 0.0, 0.0);
-        let Sample { t: time, x: position, f: force, .. } = *reading;
-        self.signs.add(&Reading { time, position, velocity, force, period, observed });
+        self.signs.add(reading);
     }
 
     fn book(&mut self, step: &Step, median: f64) {
@@ -223,9 +221,7 @@ impl Books {
         let sampled = self.sampled.observe(&sample, step.to.f);
         self.held_course.add(step.to.t, held);
         self.sampled_course.add(step.to.t, sampled);
-        let Sample { t: time, x: position, f: force, .. } = step.to;
-        let (velocity, period) = (sample.velocity, sample.period);
-        self.signs.add(&Reading { time, position, velocity, force, period, observed: held });
+        self.signs.add(&step.to);
         self.damper.add(step.to.t, self.port.damper(-held));
         self.contacts.add(&Push {
             from: step.from.t,

@@ -1,6 +1,7 @@
 //! Picture of the edges.
 
 use super::{Edge, Refined, Side};
+use crate::measure::Verdict;
 use crate::studies::map::axis::Axis;
 use crate::studies::map::bounds::Bounds;
 use crate::studies::map::picture::{FINEST, Shown, panels};
@@ -9,19 +10,33 @@ use lyapunov_figures::{Figure, HeatMap, Series};
 /// Colour of the marks of ragged blocks.
 const RAGGED: usize = 1;
 
+/// Number of colours that the verdicts have in a map.
+const COLOURS: usize = Verdict::TooShort as usize;
+
+/// The colour of a side among those of the verdicts; none where it is too short to judge.
+fn colour(side: Side) -> Option<usize> {
+    match side {
+        Side::Bounded => Some(Verdict::Settles as usize),
+        Side::Grows => Some(Verdict::Grows as usize),
+        Side::TooShort => None,
+    }
+}
+
 impl Refined {
     /// The sides of the edge under each stabilizer, with a mark on each block of the start in which the edge is ragged.
     pub fn figure(&self, bounds: Option<&Bounds>) -> Figure {
         let grid = self.grid();
         let curves = bounds.map_or_else(Vec::new, Bounds::curves);
-        let words = Side::ALL.map(Side::word);
+        let words: [&str; COLOURS] = std::array::from_fn(|at| {
+            Side::ALL.into_iter().find(|side| colour(*side) == Some(at)).map_or("", Side::word)
+        });
         let elements = [&grid.x, &grid.y].map(|axis| axis.count.min(FINEST));
         panels(grid, "edge of stability", &curves, |index| {
             let edge = &self.edges[index];
             let heat = HeatMap::of_classes(
                 elements[0] as usize,
                 sides(edge, [&grid.x, &grid.y], elements),
-                &words[..Side::TooShort as usize],
+                &words,
             );
             let marks = marks(edge, [&grid.x, &grid.y]);
             let marks = (!marks.is_empty()).then(|| Series::dots("ragged", RAGGED, marks));
@@ -39,7 +54,7 @@ fn sides(edge: &Edge, [x, y]: [&Axis; 2], [columns, rows]: [u64; 2]) -> Vec<f64>
             middle(column, columns, x.count) + middle(row, rows, y.count) * x.count
         })
     };
-    let number = |side| if side == Side::TooShort { f64::NAN } else { f64::from(side as u8) };
+    let number = |side| colour(side).map_or(f64::NAN, |it| it as f64);
     (0..rows).flat_map(along).map(|cell| number(edge.side(cell))).collect()
 }
 

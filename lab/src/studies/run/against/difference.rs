@@ -122,11 +122,14 @@ impl Met {
         }
     }
 
-    /// The sign of a log whose force is the run's with its sign turned.
-    pub(super) fn reversed(self) -> Vec<Oddity> {
+    /// The signs of the log alone, and that of a force that is the run's with its sign turned, where they do not tell it.
+    pub(super) fn look_at(self, mut alone: Vec<Oddity>) -> Vec<Oddity> {
         let told =
             "the log's f is against the run's: its sign looks reversed (--scale f=-1 turns it)";
-        let is_so = self.likeness <= OPPOSITE;
-        is_so.then(|| Oddity::new(Sign::Reversed, told)).into_iter().collect()
+        let is_told = alone.iter().any(|it| it.sign == Sign::Reversed);
+        if self.likeness <= OPPOSITE && !is_told {
+            alone.push(Oddity::new(Sign::Reversed, told));
+        }
+        alone
     }
 }

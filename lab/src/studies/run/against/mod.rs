@@ -11,8 +11,11 @@ use std::io::Read;
 use serde::Serialize;
 
 use crate::files::Scene;
-use crate::files::log::{BadRows, Columns, Entry, Log, LogError, Reason, Role, Sample, Scale};
+use crate::files::log::{
+    BadRows, Columns, Entry, Log, LogError, Reason, Role, Sample, Scale, TimeStep, median_period,
+};
 use crate::files::scene::{Conflict, Draft, Finite};
+use crate::measure::sanity::LogSigns;
 use crate::simulate::Row;
 use difference::Meter;
 pub use difference::{Difference, Differences};
@@ -21,6 +24,9 @@ use picture::Overlay;
 
 /// Share of a period within which a row belongs to a tick: time stamps are rounded.
 const SAME: f64 = 1e-6;
+
+/// The number of steps that the median period is estimated from.
+const STEPS: usize = 1024;
 
 /// Start of a run that a log is laid over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -49,6 +55,9 @@ pub struct Against<R> {
     rows: u64,
     has_velocity: bool,
     meters: [Meter; 3],
+    signs: LogSigns,
+    /// The first steps, of which the median is the log's period.
+    steps: Vec<TimeStep>,
     overlay: Overlay,
 }
 
@@ -99,6 +108,8 @@ impl<R: Read> Against<R> {
             rows: 0,
             has_velocity,
             meters: [Meter::new(), Meter::new(), Meter::new()],
+            signs: LogSigns::new(None),
+            steps: Vec::new(),
             overlay: Overlay::new(),
         })
     }
@@ -179,7 +190,7 @@ impl<R: Read> Against<R> {
             return Err(LogError::too_few(&self.name, &self.bad));
         };
         let [position, velocity, force] = self.meters.map(|meter| meter.finish());
-        let look_at = force.reversed();
+        let look_at = force.look_at(self.signs.finish(median_period(self.steps.into_iter())));
         let differences = Differences {
             position: position.in_units("mm", 1e3),
             velocity: velocity.in_units("mm/s", 1e3),
@@ -222,6 +233,12 @@ impl<R: Read> Against<R> {
             scene.velocity = over(|last| last.scene.position, scene.position);
         }
         let pair = Pair { time, log, scene };
+        self.signs.add(&Sample { t: time, ..*row });
+        if let Some(last) = self.last
+            && self.steps.len() < STEPS
+        {
+            self.steps.push(TimeStep { length: time - last.time, spans: false });
+        }
         let [position, velocity, force] = &mut self.meters;
         position.add(time, log.position, scene.position);
         // Without a column of its own the first row has no velocity.
