@@ -140,3 +140,21 @@ fn a_body_without_a_spring_rests_anywhere() {
     assert_eq!(limits.spectral_radius, Some(1.0));
     assert!(limits.exact.unwrap() > 0.0);
 }
+
+/// A held spring on a mass alone: `z² − (2 − κ / 2) z + 1 + κ / 2 = 0` with `κ = K T² / m`, so that `z` tends to `−κ / 2`.
+#[test]
+fn the_radius_of_an_absurd_stiffness_is_right_or_none() {
+    let radius = |stiffness: f64| {
+        let text = format!(
+            "duration = 1\nservo_rate = 1000\ndevice.mass = 1.0\n\
+             environment.spring.stiffness = {stiffness:?}"
+        );
+        Limits::of(&scene(&text)).spectral_radius
+    };
+    for power in 10..=306 {
+        let stiffness = 10_f64.powi(power);
+        let is_right = |it: f64| (it / (0.5e-6 * stiffness) - 1.0).abs() < 1e-3;
+        let found = radius(stiffness);
+        assert!(found.map_or(power > 40, is_right), "{stiffness:?}: {found:?}");
+    }
+}

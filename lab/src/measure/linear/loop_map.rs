@@ -16,6 +16,9 @@ const DEGREE: u32 = 28;
 /// A root moves by less than this share of itself, squared, while its last digits are computed.
 const POLISH: f64 = 1e-8;
 
+/// A place whose Newton step is longer than this share of it, or of 1, has not come to a root.
+const NEAR: f64 = 1e-3;
+
 /// Characteristic polynomial of the map that takes a loop from one tick of the environment to the next,
 ///
 /// ```text
@@ -120,18 +123,18 @@ impl LoopMap {
                 let ahead = z.powu(delay - 1);
                 (ahead * z * a + r, ahead * (z * slope + late * a) + slant)
             };
-            value / derivative
+            ratio(value, derivative)
         };
         let mut places: Vec<_> = circle(count, 1.0).map(|z| z - one).collect();
         settle(&mut places, step);
         let polished = places.into_iter().map(|w| {
             // The value to all digits; its derivative needs few.
             let (newton, value) = (step(w), self.long_value(&answer, delay, w));
-            let is_lost = !(newton.re.is_finite() && newton.im.is_finite());
-            if is_lost && value != Complex::from(0.0) {
+            let is_near = newton.norm_sqr() <= NEAR * NEAR * (1.0 + w.norm_sqr());
+            if !is_near && value != Complex::from(0.0) {
                 return Complex::from(f64::NAN);
             }
-            let change = value / (self.value(&answer, delay, w) / newton);
+            let change = ratio(value, ratio(self.value(&answer, delay, w), newton));
             if change.norm_sqr() < POLISH * w.norm_sqr() { w - change } else { w }
         });
         polished.collect()
@@ -157,8 +160,16 @@ impl LoopMap {
     pub(super) fn growth(&self, kappa: f64) -> f64 {
         let roots = self.roots(kappa).into_iter();
         let growths = roots.map(|w| 2.0 * w.re + w.norm_sqr());
-        growths.fold(-1.0, |most, it| if it.is_finite() { most.max(it) } else { f64::NAN })
+        let is_lost = |most: f64, it: f64| most.is_nan() || !it.is_finite();
+        growths.fold(-1.0, |most, it| if is_lost(most, it) { f64::NAN } else { most.max(it) })
     }
+}
+
+/// `one / other`, whose squares may be out of range.
+fn ratio(one: Complex<f64>, other: Complex<f64>) -> Complex<f64> {
+    let size = other.re.abs().max(other.im.abs());
+    let by = if size.is_normal() { libm::scalbn(1.0, -libm::ilogb(size)) } else { 1.0 };
+    one * by / (other * by)
 }
 
 /// `z = 1 + w`.
