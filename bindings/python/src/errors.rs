@@ -62,9 +62,13 @@ pub(crate) fn parameter(error: ParameterError) -> PyErr {
     InputError::new_err(ParameterError { parameter, ..error }.to_string())
 }
 
+/// Options of the command that are arguments here, by their own names.
+const OPTIONS: [(&str, &str); 2] = [("--columns", "columns"), ("--scale", "scale")];
+
 /// The exception of wrong input in words.
 pub(crate) fn input(error: impl std::fmt::Display) -> PyErr {
-    InputError::new_err(error.to_string())
+    let told = |text: String, (option, argument)| text.replace(option, argument);
+    InputError::new_err(OPTIONS.into_iter().fold(error.to_string(), told))
 }
 
 /// The exception of a fault of the package itself.

@@ -9,6 +9,7 @@ use std::thread;
 use std::time::Duration;
 
 use indicatif::ProgressBar;
+use lyapunov_lab::observe::opened;
 
 use super::{BAR, End, named, shown};
 
@@ -45,17 +46,14 @@ impl Source {
 
     /// Opens the file at `path`, or whatever else is there.
     fn open(path: &Path) -> io::Result<Self> {
-        let found = fs::metadata(path).map_err(remedied)?;
-        if found.is_dir() {
-            return Err(io::Error::other("this is a folder\n  = give the path of a file in it"));
+        if fs::metadata(path).is_ok_and(|it| !it.is_file() && !it.is_dir()) {
+            // Opening a pipe blocks until somebody writes to it, so the thread does that too.
+            let path = path.to_owned();
+            return Ok(Self::of(waiting(move || opened(&path))?, None));
         }
-        if found.is_file() {
-            let file = File::open(path).map_err(remedied)?;
-            return Ok(Self::of(Stream::File(file), Some(found.len())));
-        }
-        // Opening a pipe blocks until somebody writes to it, so the thread does that too.
-        let path = path.to_owned();
-        Ok(Self::of(waiting(move || File::open(path).map_err(remedied))?, None))
+        let file = opened(path)?;
+        let size = file.metadata()?.len();
+        Ok(Self::of(Stream::File(file), Some(size)))
     }
 
     fn of(stream: Stream, size: Option<u64>) -> Self {
@@ -98,19 +96,6 @@ impl Source {
             None => (ProgressBar::new_spinner(), "{spinner} {bytes} read, {bytes_per_sec}"),
         };
         self.bar = shown(bar, template, quiet);
-    }
-}
-
-/// The error with its remedy.
-fn remedied(error: io::Error) -> io::Error {
-    match error.kind() {
-        ErrorKind::NotFound => io::Error::other(
-            "there is no such file\n  = check the path; it is taken from the current folder",
-        ),
-        ErrorKind::PermissionDenied => io::Error::other(
-            "this file may not be read\n  = check its permissions and those of its folder",
-        ),
-        _ => error,
     }
 }
 

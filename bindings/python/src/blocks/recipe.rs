@@ -11,39 +11,46 @@ use pyo3::types::PyDict;
 use super::{Candidate, Raised};
 use crate::errors;
 
-/// A number that a stabilizer is made of, and what it is where it is left out.
-struct Number(&'static str, Option<f64>);
+/// A number that a stabilizer is made of: its name, its unit, and what it is where it is left out.
+struct Number(&'static str, &'static str, Option<f64>);
 
 /// A number without a default.
-const fn needed(name: &'static str) -> Number {
-    Number(name, None)
+const fn needed(name: &'static str, unit: &'static str) -> Number {
+    Number(name, unit, None)
 }
+
+/// The largest damping.
+const LIMIT: Number = needed("limit", "N·s/m");
+
+const TICKS: Number = needed("ticks", "whole ticks");
+
+const DAMPING: Number = needed("damping", "N·s/m");
 
 /// The stabilizers of one port, under the names of docs/family.md, and their numbers in SI units.
 const FAMILY: [(&str, &[Number]); 15] = [
     ("none", &[]),
-    ("popc", &[needed("limit")]),
-    ("lolc", &[needed("limit")]),
-    ("popc-bounded", &[needed("limit"), needed("credit")]),
-    ("popc-windowed", &[needed("limit"), needed("ticks")]),
-    ("popc-threshold", &[needed("limit"), needed("velocity")]),
-    ("popc-spread", &[needed("limit"), needed("ticks")]),
-    ("popc-rate-limited", &[needed("limit"), needed("rate")]),
-    ("popc-rising", &[needed("limit"), needed("ticks")]),
-    ("force-bound", &[needed("damping")]),
+    ("popc", &[LIMIT]),
+    ("lolc", &[LIMIT]),
+    ("popc-bounded", &[LIMIT, needed("credit", "J")]),
+    ("popc-windowed", &[LIMIT, TICKS]),
+    ("popc-threshold", &[LIMIT, needed("velocity", "m/s")]),
+    ("popc-spread", &[LIMIT, TICKS]),
+    ("popc-rate-limited", &[LIMIT, needed("rate", "N/s")]),
+    ("popc-rising", &[LIMIT, TICKS]),
+    ("force-bound", &[DAMPING]),
     (
         "tank",
         &[
-            needed("start"),
-            Number("floor", Some(0.0)),
-            Number("ceiling", Some(f64::INFINITY)),
-            Number("power", Some(f64::INFINITY)),
+            needed("start", "J"),
+            Number("floor", "J", Some(0.0)),
+            Number("ceiling", "J", Some(f64::INFINITY)),
+            Number("power", "W", Some(f64::INFINITY)),
         ],
     ),
-    ("energy-bounding", &[needed("c1"), needed("c2")]),
-    ("force-bounding", &[needed("damping")]),
-    ("least-norm", &[needed("limit"), needed("decay")]),
-    ("slope-bound", &[needed("slope")]),
+    ("energy-bounding", &[needed("c1", "N/m"), needed("c2", "N/m")]),
+    ("force-bounding", &[DAMPING]),
+    ("least-norm", &[LIMIT, needed("decay", "1/s")]),
+    ("slope-bound", &[needed("slope", "N/m")]),
 ];
 
 /// Recipe of a stabilizer.
@@ -73,12 +80,13 @@ impl Recipe {
             let value = given.map(|given| given.get_item(key)).transpose()?.flatten();
             Ok(value.filter(|value| !value.is_none()))
         };
-        let mut numbers = Vec::new();
-        for Number(key, default) in *keys {
+        let (mut numbers, mut missing) = (Vec::new(), Vec::new());
+        for Number(key, unit, default) in *keys {
             let value = taken(key)?.map(|value| number(&value, key)).transpose()?;
-            numbers.push(value.or(*default).ok_or_else(|| {
-                errors::input(format!("`{name}` needs {key}\n  = give it by name, as in {key}=…"))
-            })?);
+            match value.or(*default) {
+                Some(value) => numbers.push(value),
+                None => missing.push((*key, *unit)),
+            }
         }
         let mut known: Vec<&str> = keys.iter().map(|key| key.0).collect();
         let (mut damping, mut object) = (None, None);
@@ -86,21 +94,16 @@ impl Recipe {
             known.extend(["damping", "candidate"]);
             damping = taken("damping")?.map(|value| number(&value, "damping")).transpose()?;
             object = taken("candidate")?.map(Bound::unbind);
-            if damping.is_some() == object.is_some() {
-                return Err(errors::input(
-                    "`lolc` needs damping or candidate, one of the two\n  = give the damping that the device surely has, \
-                     in N·s/m, or an object with a method decrease(sample)",
-                ));
-            }
         }
-        for key in given.into_iter().flat_map(|given| given.keys()) {
-            let key: String = key.extract()?;
-            if !known.contains(&&key[..]) {
-                return Err(errors::input(format!(
-                    "`{name}` has no {key}\n  = it takes: {}",
-                    if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
-                )));
-            }
+        let given = given.into_iter().flat_map(|given| given.keys());
+        let given: Vec<String> = given.map(|key| key.extract()).collect::<PyResult<_>>()?;
+        only(name, &given, &known)?;
+        complete(name, &missing)?;
+        if *name == "lolc" && damping.is_some() == object.is_some() {
+            return Err(errors::input(
+                "`lolc` needs damping or candidate, one of the two\n  = give the damping that the device surely has, \
+                 in N·s/m, or an object with a method decrease(sample)",
+            ));
         }
         Ok(Self { name, numbers, damping, object })
     }
@@ -176,6 +179,34 @@ impl Recipe {
             _ => Member::NoStabilizer(NoStabilizer),
         })
     }
+}
+
+/// Refuses names of numbers that are not `known`.
+fn only(name: &str, given: &[String], known: &[&str]) -> PyResult<()> {
+    let unknown: Vec<&str> =
+        given.iter().map(String::as_str).filter(|key| !known.contains(key)).collect();
+    if !unknown.is_empty() {
+        return Err(errors::input(format!(
+            "`{name}` has no {}\n  = it takes: {}",
+            unknown.join(", "),
+            if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
+        )));
+    }
+    Ok(())
+}
+
+/// Refuses a call without the numbers that are `missing`, each with its unit.
+fn complete(name: &str, missing: &[(&str, &str)]) -> PyResult<()> {
+    if !missing.is_empty() {
+        let told =
+            |it: fn(&(&str, &str)) -> String| missing.iter().map(it).collect::<Vec<_>>().join(", ");
+        return Err(errors::input(format!(
+            "`{name}` needs {}\n  = give by name: {}",
+            told(|(key, _)| (*key).to_owned()),
+            told(|(key, unit)| format!("{key}=… in {unit}"))
+        )));
+    }
+    Ok(())
 }
 
 /// A number; whole and above 0 where it counts ticks.

@@ -28,9 +28,23 @@ on_any_axes! {
 /// Stabilizer of one port, by a name of docs/family.md, in a loop of your own.
 ///
 /// `Stabilizer("popc", limit=100.0)`, `Stabilizer("lolc", limit=100.0, damping=0.1, axes=3)`. Numbers are in SI units:
+///
+/// - `none`
+/// - `popc`: limit
+/// - `lolc`: limit, and damping that the device surely has, or `candidate=it`, an object whose method `decrease(sample)`
+///   returns joules: a call into Python on every tick, slow
+/// - `popc-bounded`: limit, credit
+/// - `popc-windowed`, `popc-spread`, `popc-rising`: limit, ticks
+/// - `popc-threshold`: limit, velocity
+/// - `popc-rate-limited`: limit, rate
+/// - `force-bound`, `force-bounding`: damping
+/// - `tank`: start, floor (0), ceiling (inf), power (inf)
+/// - `energy-bounding`: c1, c2
+/// - `least-norm`: limit, decay
+/// - `slope-bound`: slope
+///
 /// `limit` N·s/m (see `damping_limit`), `damping` N·s/m, `credit`, `start`, `floor` and `ceiling` J, `power` W, `velocity`
-/// m/s, `rate` N/s, `slope`, `c1` and `c2` N/m, `decay` 1/s, `ticks` whole. `lolc` takes a `damping` that the device surely
-/// has, or `candidate=it`, an object whose method `decrease(sample)` returns joules: a call into Python on every tick, slow.
+/// m/s, `rate` N/s, `slope`, `c1` and `c2` N/m, `decay` 1/s, `ticks` whole.
 ///
 /// One stabilizer belongs to one loop: a call while another is under way raises RuntimeError.
 #[pyclass(module = "lyapunov")]

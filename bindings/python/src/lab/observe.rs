@@ -1,6 +1,5 @@
 //! Observation of a recorded log.
 
-use std::fs::File;
 use std::io::{BufReader, Read};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -58,7 +57,7 @@ pub(crate) fn observe(
     let size = std::fs::metadata(&log).map_or(0, |it| it.len());
     wait(py, progress, size, move |watched| {
         let file =
-            File::open(&log).map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
+            lab::opened(&log).map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
         let log = Heeding { inner: BufReader::new(file), watched };
         let observed = lab::observe(log, &name, &settings);
         if watched.go_on() == ControlFlow::Break(()) {

@@ -38,9 +38,12 @@ impl Scene {
             let text = toml::to_string(&tables::read(table)?).map_err(errors::input)?;
             return Self::read(py, &text, name);
         }
-        let path: PathBuf = source
-            .extract()
-            .map_err(|_| PyTypeError::new_err("a scene is a dictionary, or the path of a file"))?;
+        let path: PathBuf = source.extract().map_err(|_| {
+            let kind = source.get_type();
+            PyTypeError::new_err(format!(
+                "a scene is a dictionary, or the path of a file, and not {kind}; several are arguments of their own"
+            ))
+        })?;
         let scene = lab::Scene::load(&path).map_err(|fault| errors::scene(py, &fault))?;
         Ok(Self { scene, name: name.unwrap_or_else(|| path.display().to_string()) })
     }

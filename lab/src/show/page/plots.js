@@ -229,6 +229,7 @@ class LiveFigure {
   size() {
     this.columns = this.root.clientWidth < NARROW ? 1 : this.data.columns;
     this.grid.style.gridTemplateColumns = `repeat(${this.columns}, minmax(0, 1fr))`;
+    this.rooms = [];
     const height = Math.max(110, this.data.height) + 52;
     for (const plot of this.plots) {
       const width = Math.max(160, plot.frame.clientWidth);
@@ -237,16 +238,16 @@ class LiveFigure {
     }
   }
 
-  // The room for the ordinate of a plot: the most that one of its column needs, so that their frames line up.
+  // The room for the ordinate of a plot: the most that one of its column has needed, so that their frames line up.
   room(plot, own) {
-    plot.own = own;
     const column = (it) => this.plots.indexOf(it) % this.columns;
-    const beside = this.plots.filter((it) => column(it) === column(plot));
-    const room = Math.max(...beside.map((it) => it.own ?? 0));
-    const others = beside.filter((it) => it !== plot && it.u && it.room !== room);
-    plot.room = room;
-    if (others.length > 0) requestAnimationFrame(() => others.forEach((it) => it.u.redraw(false, true)));
-    return room;
+    const at = column(plot);
+    if (own > (this.rooms[at] ?? 0)) {
+      this.rooms[at] = own;
+      const others = this.plots.filter((it) => it !== plot && column(it) === at);
+      requestAnimationFrame(() => others.forEach((it) => it.u.redraw(false, true)));
+    }
+    return this.rooms[at];
   }
 
   others(plot) {

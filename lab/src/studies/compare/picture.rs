@@ -248,11 +248,13 @@ impl Drawing<'_> {
             let (outcome, points) = (one.first, (self.curve)(one.first));
             // A curve that grows ends where it first leaves the frame: its returns would only be upright lines.
             let ends = grows(outcome) || outcome.score.verdict == Verdict::TooShort;
+            let is_zero = points.iter().all(|point| point.1 == 0.0);
             let end = range.filter(|_| ends).and_then(|(low, high)| {
                 points.iter().position(|point| !(low..=high).contains(&point.1))
             });
             let kept = &points[..end.map_or(points.len(), |end| end + 1)];
             let cut = match (grows(outcome), end) {
+                _ if is_zero => "",
                 (true, _) => "(grows, cut off)",
                 (false, Some(_)) => "(cut off)",
                 (false, None) => "",

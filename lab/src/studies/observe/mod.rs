@@ -27,7 +27,7 @@ mod text;
 mod traces;
 mod watch;
 
-pub use crate::files::log::{BadRow, BadRows, Column, Columns, LogError, Role, Scale};
+pub use crate::files::log::{BadRow, BadRows, Column, Columns, LogError, Role, Scale, opened};
 pub use candidate::Candidate;
 pub use contact::{Contact, Contacts};
 pub use observed_energy::{Debt, ObservedEnergy};

@@ -115,7 +115,7 @@ impl Laid {
     /// Lines and table for the terminal.
     pub fn text(&self) -> String {
         let table = self.table().to_string();
-        format!("{}\n{}", self.lines(), textwrap::indent(table.trim_end(), "  "))
+        format!("{}\n\n{}", self.lines(), textwrap::indent(table.trim_end(), "  "))
     }
 
     /// The part of a page.
