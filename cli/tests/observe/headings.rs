@@ -66,6 +66,17 @@ fn units_words_and_commas_give_the_identical_report() {
         assert_eq!(report(&text, &["--columns", "1,2,3"]), si, "{headings:?}");
         assert_eq!(report(&text, &["--columns", &headings.join(",")]), si, "{headings:?}");
     }
+    // Parted by blanks, as by numpy.savetxt; and with the units in a line of their own. Lines are counted alike.
+    let blanks = log(["t", "x", "f"], [-6, -6, -3], ' ', '.');
+    assert_eq!(report(&blanks, &[]), si);
+    assert_eq!(report(&format!("# {blanks}").replace('\n', " \n  "), &[]), si);
+    let text = log(["t", "x", "f"], [-3, -3, -6], ',', '.');
+    for units in ["ms,mm,kN", "(ms),[mm],(kN)"] {
+        let text = text.replacen('\n', &format!("\n{units}\n"), 1);
+        assert_eq!(report(&text, &[])["energy"], si["energy"], "{units}");
+        let told = report(&text.replace("kN", "N"), &["--scale", "f=1e3"]);
+        assert_eq!(told["energy"], si["energy"], "{units}");
+    }
     // Without headings a comma still is a decimal mark.
     let bare = log(["t", "x", "f"], [-6, -6, -3], ';', ',');
     let bare = bare.split_once('\n').unwrap().1;

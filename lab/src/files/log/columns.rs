@@ -78,7 +78,7 @@ pub struct Column {
     pub role: Role,
     /// Its heading; none in a log without headings.
     pub heading: Option<String>,
-    /// The unit that the heading tells and the numbers were read in; none where it tells none, or `--scale` another.
+    /// The unit that the heading, or the line below it, tells and the numbers were read in; none where it tells none, or `--scale` another.
     pub unit: Option<&'static str>,
     /// Whether the heading has another name than was asked for.
     #[serde(skip)]

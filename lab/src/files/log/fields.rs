@@ -3,6 +3,9 @@
 use super::lines::find;
 use super::notation::is_number;
 
+/// Delimiter that stands for any number of blanks.
+const BLANK: u8 = b' ';
+
 /// The raw fields of a line.
 ///
 /// A field that begins with a quotation mark may hold the delimiter; it ends at the next quotation mark before
@@ -15,6 +18,7 @@ pub(super) struct Fields<'a> {
 
 impl<'a> Fields<'a> {
     pub(super) fn new(line: &'a [u8], delimiter: u8) -> Self {
+        let line = if delimiter == BLANK { line.trim_ascii() } else { line };
         Self { rest: Some(line), delimiter }
     }
 
@@ -40,7 +44,8 @@ impl<'a> Iterator for Fields<'a> {
     fn next(&mut self) -> Option<&'a [u8]> {
         let rest = self.rest?;
         let end = self.end(rest);
-        self.rest = end.map(|end| &rest[end + 1..]);
+        let next = end.map(|end| &rest[end + 1..]);
+        self.rest = if self.delimiter == BLANK { next.map(<[u8]>::trim_ascii_start) } else { next };
         Some(&rest[..end.unwrap_or(rest.len())])
     }
 }
@@ -62,7 +67,7 @@ pub(super) fn number(field: &[u8]) -> Option<f64> {
 }
 
 /// The delimiter of a line: the most frequent among comma, semicolon and tab, or one of the latter two that parts numbers
-/// with decimal commas.
+/// with decimal commas; blanks where there is none of them.
 pub(super) fn delimiter(line: &[u8]) -> u8 {
     let parts = |delimiter: &u8| {
         let fields = Fields::new(line, *delimiter).filter(|field| !field.trim_ascii().is_empty());
@@ -78,6 +83,7 @@ pub(super) fn delimiter(line: &[u8]) -> u8 {
     match () {
         () if semicolon > comma && semicolon >= tab => b';',
         () if tab > comma => b'\t',
+        () if comma == 0 && line.trim_ascii().contains(&BLANK) => BLANK,
         () => b',',
     }
 }
@@ -95,6 +101,13 @@ mod tests {
         assert_eq!(split("a,b,,c"), [&b"a"[..], b"b", b"", b"c"]);
         assert_eq!(split(""), [b""]);
         assert_eq!(split(","), [b"", b""]);
+    }
+
+    #[test]
+    fn blanks_separate_fields_however_many() {
+        let split = |line: &'static str| Fields::new(line.as_bytes(), b' ').collect::<Vec<_>>();
+        assert_eq!(split("  1  2.5   -3 "), [&b"1"[..], b"2.5", b"-3"]);
+        assert_eq!(split(r#""a b" c"#), [&br#""a b""#[..], b"c"]);
     }
 
     #[test]
@@ -131,6 +144,9 @@ mod tests {
             ("0,1\t0,2\t-3,5e-1", b'\t'),
             ("0;1;2", b';'),
             ("0,1,2", b','),
+            ("0, 1, 2", b','),
+            ("t x f", b' '),
+            ("  0.0e+00  1.0e-03 2 ", b' '),
         ] {
             assert_eq!(delimiter(line.as_bytes()), expected, "{line}");
         }

@@ -46,6 +46,13 @@ impl Unit {
         UNITS.into_iter().find(|unit| unit.symbol == symbol && unit.role == role)
     }
 
+    /// The unit of a quantity that stands alone in a field, in brackets or not.
+    pub(super) fn alone(field: &[u8], role: Role) -> Option<Self> {
+        let text = str::from_utf8(field).ok()?;
+        let bare = text.strip_prefix(['[', '(']).and_then(|it| it.strip_suffix([']', ')']));
+        Self::of(bare.unwrap_or(text).trim(), role)
+    }
+
     /// Its symbol.
     pub(super) fn symbol(self) -> &'static str {
         self.symbol

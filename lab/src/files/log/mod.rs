@@ -39,8 +39,10 @@ pub(crate) struct Log<R> {
     row: RowReader,
     columns: Vec<Column>,
     /// The first line, where it is itself a row.
-    first: Option<Vec<u8>>,
+    first: Vec<u8>,
     pending: bool,
+    /// The columns whose factors are given, while the next line may be one of units.
+    scaled: Option<[bool; 4]>,
 }
 
 impl<R: Read> Log<R> {
@@ -61,11 +63,14 @@ impl<R: Read> Log<R> {
         let (read, powers) = layout.units(name, &factors, &scaled)?;
         let has_velocity = columns.has(Role::V);
         let pending = layout.is_row;
+        let has_units = read.iter().any(|column| column.unit.is_some());
+        let scaled = (!pending && !has_units)
+            .then(|| std::array::from_fn(|at| scaled[at] && factors[at] != -1.0));
         let row = RowReader::new(layout, factors, powers, has_velocity);
-        Ok(Self { lines, row, columns: read, first: pending.then_some(first), pending })
+        Ok(Self { lines, row, columns: read, first, pending, scaled })
     }
 
-    /// The columns as they are read.
+    /// The columns as they are read, once the first row is.
     pub(crate) fn columns(&self) -> &[Column] {
         &self.columns
     }
@@ -77,14 +82,12 @@ impl<R: Read> Log<R> {
 
     /// The next row; none at the end.
     pub(crate) fn read(&mut self) -> io::Result<Option<Entry<'_>>> {
-        if std::mem::take(&mut self.pending)
-            && let Some(first) = &self.first
-        {
-            return Ok(Some(self.row.read(first, self.lines.number())));
+        if std::mem::take(&mut self.pending) {
+            return Ok(Some(self.row.read(&self.first, self.lines.number())));
         }
         loop {
             match self.lines.read()? {
-                Next::Line if blank(self.lines.text()) => {}
+                Next::Line if blank(self.lines.text()) || self.tells_units() => {}
                 Next::Line => break,
                 Next::TooLong => {
                     let (line, reason) = (self.lines.number(), Reason::TooLong);
@@ -94,6 +97,20 @@ impl<R: Read> Log<R> {
             }
         }
         Ok(Some(self.row.read(self.lines.text(), self.lines.number())))
+    }
+
+    /// Whether the line is the one below the names that tells their units, which it then reads in.
+    fn tells_units(&mut self) -> bool {
+        let Some(scaled) = self.scaled.take() else { return false };
+        let Some(units) = self.row.units(self.lines.text()) else { return false };
+        for (column, unit) in self.columns.iter_mut().zip(units) {
+            // A factor counts in place of a unit.
+            if !scaled[column.role.index()] {
+                self.row.take(column.role, unit);
+                column.unit = Some(unit.symbol());
+            }
+        }
+        true
     }
 }
 
