@@ -43,12 +43,12 @@ impl fmt::Display for TableError {
                 write!(f, "its columns are `{}`, and this version has others", shorten(found))
             }
             Self::Row { row, text } => {
-                write!(f, "row {row} is `{}`, which no map has there", shorten(text))
+                write!(f, "row {row} below the head is `{}`, which no map has there", shorten(text))
             }
             Self::Damaged { row } => {
                 write!(
                     f,
-                    "row {row} does not match its checksum: it has changed since it was written"
+                    "row {row} below the head does not match its checksum: it has changed since it was written"
                 )
             }
             Self::Excess => f.write_str("it goes on after its last cell"),
