@@ -65,7 +65,8 @@ fn a_row_that_was_changed_is_refused_and_one_at_the_end_computed_again() {
         let mut changed = part.clone().into_bytes();
         changed[at] = if changed[at] == b'1' { b'2' } else { b'1' };
         place.put(format!("out/{PART}"), &changed);
-        let words = [&format!("row {row} below the head does not match its checksum")[..], "remove it"];
+        let words =
+            [&format!("row {row} below the head does not match its checksum")[..], "remove it"];
         place.refuses(&resume, &words);
     }
     // The last rows may be what was written while the machine stopped: zeros, or half of what was meant.

@@ -117,5 +117,9 @@ fn errors_name_the_file_and_the_remedy() {
     refuses("stabilizer.popc.cap=1..2:3", &["scene.toml: ", "`stabilizer.popc.cap`"]);
     refuses("stabilizer.popc.damping_cap=-1..2:3", &["scene.toml: ", "damping_cap"]);
     refuses("device.mas=1..2:3", &["scene.toml: ", "did you mean `device.mass`?"]);
+    refuses(
+        "effects.dropout.probability=0..1:3",
+        &["scene.toml: ", "has no table [effects.dropout]", "add the table to the scene"],
+    );
     place.refuses(["map", "scene.toml", "--x", "device.mass=1..2:3", "--resume"], &["--y"]);
 }

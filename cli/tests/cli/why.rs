@@ -79,6 +79,17 @@ fn a_remedy_put_into_the_file_ends_what_grows() {
     let faster = set.iter().find_map(|set| set["servo_rate"].as_f64()).unwrap();
     place.put("fast.toml", WALL.replace("1000", &faster.to_string()));
     assert!(!place.run(["run", "fast.toml"]).out.contains("grows"));
+
+    // A delay is so many ticks, which a faster servo makes shorter: the remedy says so.
+    place.put("late.toml", format!("{WALL}effects.delay.ticks = 2\n"));
+    let said = place.run(["explain", "late.toml", "--json"]).out;
+    let told: Value = serde_json::from_str(&said).unwrap();
+    let mut set = told["remedies"].as_array().unwrap().iter().map(|it| &it["set"]);
+    let faster = set.find_map(|set| set["servo_rate"].as_f64()).unwrap();
+    let lasts = format!("with the delay still of 2 ticks, which then lasts {:.4}", 2e3 / faster);
+    let explained = place.run(["explain", "late.toml"]);
+    explained.ended(0, &[lasts.trim_end_matches('0')]);
+    assert_eq!(explained.out.matches("with the delay").count(), 1);
 }
 
 #[test]
@@ -87,6 +98,10 @@ fn bad_input_is_refused() {
     place.put("flat.toml", include_str!("../../../scenes/plane.toml"));
     place.refuses(["bound", "none.toml"], &["none.toml", "there is no such file"]);
     place.refuses(["explain", "none.toml"], &["none.toml", "there is no such file"]);
+    place.refuses(
+        ["run", "plane"],
+        &["there is no such file", "`lyapunov scenes plane > plane.toml`"],
+    );
     place.run(["explain", "flat.toml"]).ended(0, &["through the hold", "as if it were flat"]);
     place.refuses(["explain", "wall.toml", "--json", "--quiet"], &["'--json'", "'--quiet'"]);
     place.run(["bound", "flat.toml"]).ended(0, &["along the normal"]);

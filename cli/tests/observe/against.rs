@@ -255,6 +255,16 @@ fn what_does_not_fit_is_told_and_not_guessed() {
     let turned = log(rows.iter().map(|row| Row { f: -row.f, ..*row }));
     let found = against(&scene, &place.file("turned.csv", &turned), &[]);
     assert_eq!(found["look_at"][0]["sign"], "reversed");
+    assert_eq!(found["look_at"].as_array().map(Vec::len), Some(1), "{}", found["look_at"]);
+
+    // Its own unit is told of a log too, and the factor that mends it.
+    let far = log(rows.iter().map(|row| Row { x: 1e3 * row.x, ..*row }));
+    let far = place.file("far.csv", &far);
+    let found = against(&scene, &far, &[]);
+    assert_eq!(found["look_at"][0]["sign"], "unit", "{}", found["look_at"]);
+    assert!(found["look_at"][0]["text"].as_str().unwrap().contains("--scale x=1e-3"));
+    let found = against(&scene, &far, &["--scale", "x=1e-3"]);
+    assert_eq!(found["look_at"].as_array().map(Vec::len), Some(0));
 }
 
 #[test]

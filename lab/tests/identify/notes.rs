@@ -26,6 +26,21 @@ fn a_hand_that_stays_is_no_unknown_push() {
 }
 
 #[test]
+fn a_log_in_another_unit_is_told_from_its_own_numbers() {
+    let log = PLAIN.log(800, &mut Chance::new(7));
+    assert_eq!(fitted(&log).unwrap().report.look_at, []);
+    let in_mm = |line: &str| {
+        let fields: Vec<&str> = line.split(',').collect();
+        let x: f64 = fields[1].parse().unwrap();
+        format!("{},{:?},{}\n", fields[0], 1e3 * x, fields[2])
+    };
+    let (names, rows) = log.split_once('\n').unwrap();
+    let log = format!("{names}\n{}", rows.lines().map(in_mm).collect::<String>());
+    let found = fitted(&log).unwrap().report.look_at;
+    assert!(found.len() == 1 && found[0].text.contains("--scale x=1e-3"), "{found:?}");
+}
+
+#[test]
 fn a_hand_that_moves_is_said() {
     for (swing, told) in [(0.004, 2.0), (0.001, 0.1), (1e-4, 0.03)] {
         let found = of(Truth { swing, noise: 1e-6, ..PLAIN }, 2000);

@@ -336,6 +336,11 @@ mod tests {
         assert!(kept.iter().all(is_within) && !is_within(last), "{last:?}");
         // POPC is LOLC with a spring as its candidate: one curve with both names. Every name is there once.
         assert!(position.series[1].label.starts_with("popc = lolc-spring"), "{position:?}");
+        // A stabilizer has one colour.
+        for shown in &energy.series {
+            let same = position.series.iter().find(|it| it.label == shown.label).unwrap();
+            assert_eq!(shown.colour, same.colour, "{}", shown.label);
+        }
         for (panel, count) in [(position, 5), (energy, 4)] {
             let labels =
                 panel.series.iter().map(|series| series.label.replace(" (grows, cut off)", ""));

@@ -67,3 +67,16 @@ fn marks(edge: &Edge, axes: [&Axis; 2]) -> Vec<(f64, f64)> {
     let ragged = edge.ragged().into_iter();
     ragged.map(|at| (place(at, 0), place(at, 1))).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_side_has_the_colour_that_its_verdict_has_in_a_map() {
+        for verdict in [Verdict::Settles, Verdict::Grows] {
+            assert_eq!(colour(verdict.into()), Some(verdict as usize));
+        }
+        assert_eq!(colour(Side::TooShort), None);
+    }
+}
