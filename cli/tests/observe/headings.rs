@@ -77,6 +77,18 @@ fn units_words_and_commas_give_the_identical_report() {
         let told = report(&text.replace("kN", "N"), &["--scale", "f=1e3"]);
         assert_eq!(told["energy"], si["energy"], "{units}");
     }
+    let commented = format!("# {}", text.replacen('\n', "\n# ms,mm,kN\n# a comment\n", 1));
+    assert_eq!(report(&commented, &[])["energy"], si["energy"]);
+    // A line of units that is not understood is no bad row: all would be read in SI.
+    for (units, words) in [
+        ("ms,mm,lbf", &["log.csv:2: `lbf` is no unit of force", "--scale f=1e-3"][..]),
+        ("sec,mm,N", &["`sec` is no unit of time"]),
+        ("ms,mm,N,mm/s", &["has 4 fields, and the names are 3"]),
+    ] {
+        let ended = observe(text.replacen('\n', &format!("\n{units}\n"), 1).as_bytes(), &[]);
+        let said = |word: &&str| ended.error.contains(&word.replace("log.csv", "standard input"));
+        assert!(ended.status == Some(2) && words.iter().all(said), "{}", ended.error);
+    }
     // Without headings a comma still is a decimal mark.
     let bare = log(["t", "x", "f"], [-6, -6, -3], ';', ',');
     let bare = bare.split_once('\n').unwrap().1;

@@ -63,10 +63,14 @@ impl Unit {
         self.power
     }
 
-    /// The symbols of a quantity in plain letters, for a message.
-    pub(super) fn symbols(role: Role) -> String {
+    /// The remedy for what is no unit of a quantity.
+    pub(super) fn remedy(role: Role) -> String {
         let plain = UNITS.iter().filter(|unit| unit.role == role && unit.symbol.is_ascii());
-        plain.map(|unit| unit.symbol).collect::<Vec<_>>().join(", ")
+        let symbols = plain.map(|unit| unit.symbol).collect::<Vec<_>>().join(", ");
+        let letter = role.letter();
+        format!(
+            "the units are {symbols}; for another, give its factor to SI, as in --scale {letter}=1e-3, and {letter}=1 where it is SI"
+        )
     }
 }
 

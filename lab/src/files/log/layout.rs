@@ -16,7 +16,7 @@ const LISTED: usize = 12;
 pub(super) struct Layout {
     pub(super) delimiter: u8,
     /// The number of fields in a row.
-    width: usize,
+    pub(super) width: usize,
     /// Index and role of each column, in the order of the indices.
     wanted: Vec<(usize, Role)>,
     /// The heading of each column as asked for, in the order of the roles.
@@ -67,11 +67,10 @@ impl Layout {
 
     /// The columns with the units of their headings, and for each role the power of ten from its unit.
     ///
-    /// A factor in `factors` counts in place of a unit; −1 turns the sign and leaves the unit.
+    /// In a column that is `scaled` a factor counts in place of a unit.
     pub(super) fn units(
         &self,
         name: &str,
-        factors: &[f64; 4],
         scaled: &[bool; 4],
     ) -> Result<(Vec<Column>, [i32; 4]), LogError> {
         let (mut read, mut powers) = (Vec::new(), [0; 4]);
@@ -82,7 +81,7 @@ impl Layout {
                 continue;
             }
             let heading = Heading::of(text, role);
-            let is_told = scaled[index] && factors[index] != -1.0;
+            let is_told = scaled[index];
             let unit = heading.unit.filter(|_| !is_told);
             if let (None, Some(written), false) = (unit, heading.written, is_told) {
                 return Err(self.no_unit(name, role, text, written));
@@ -96,12 +95,10 @@ impl Layout {
     }
 
     fn no_unit(&self, name: &str, role: Role, heading: &str, written: &str) -> LogError {
-        let (letter, quantity, symbols) = (role.letter(), role.quantity(), Unit::symbols(role));
         let (heading, written) = (shorten(heading), shorten(written));
-        let message = format!("the column `{heading}`: `{written}` is no unit of {quantity}");
-        LogError::at(name, self.line, message).with_help(format!(
-            "the units are {symbols}; for another, give its factor to SI, as in --scale {letter}=1e-3, and {letter}=1 where it is SI"
-        ))
+        let message =
+            format!("the column `{heading}`: `{written}` is no unit of {}", role.quantity());
+        LogError::at(name, self.line, message).with_help(Unit::remedy(role))
     }
 
     /// The requested fields, in the order of the roles.

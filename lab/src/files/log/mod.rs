@@ -13,6 +13,7 @@ mod row;
 mod sample;
 mod scale;
 mod time_step;
+mod unit_row;
 
 pub(crate) use bad::{Bad, LARGEST, Reason};
 pub use bad::{BadRow, BadRows};
@@ -31,6 +32,7 @@ use layout::Layout;
 use lines::{Lines, Next};
 use notation::Mark;
 use row::RowReader;
+use unit_row::take_units;
 
 /// Reader of the rows of a log.
 #[derive(Debug)]
@@ -38,11 +40,10 @@ pub(crate) struct Log<R> {
     lines: Lines<R>,
     row: RowReader,
     columns: Vec<Column>,
-    /// The first line, where it is itself a row.
+    /// The first row, where it was read while the log was opened.
     first: Vec<u8>,
-    pending: bool,
-    /// The columns whose factors are given, while the next line may be one of units.
-    scaled: Option<[bool; 4]>,
+    /// What it is.
+    pending: Option<Next>,
 }
 
 impl<R: Read> Log<R> {
@@ -60,17 +61,29 @@ impl<R: Read> Log<R> {
             factors[role.index()] *= factor;
             scaled[role.index()] = true;
         }
-        let (read, powers) = layout.units(name, &factors, &scaled)?;
+        // A factor of −1 turns the sign and leaves the unit.
+        let scaled = std::array::from_fn(|at| scaled[at] && factors[at] != -1.0);
+        let (mut read, mut powers) = layout.units(name, &scaled)?;
         let has_velocity = columns.has(Role::V);
-        let pending = layout.is_row;
-        let has_units = read.iter().any(|column| column.unit.is_some());
-        let scaled = (!pending && !has_units)
-            .then(|| std::array::from_fn(|at| scaled[at] && factors[at] != -1.0));
+        let (mut first, mut pending) = (first, layout.is_row.then_some(Next::Line));
+        while pending.is_none() {
+            let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
+            let (line, place) = (lines.text(), (name, lines.number()));
+            let is_row = next != Next::Line || !(blank(line) || line.starts_with(b"#"));
+            if next == Next::Line
+                && take_units(&layout, line, place, &scaled, &mut read, &mut powers)?
+            {
+                break;
+            }
+            if is_row {
+                (first, pending) = (line.to_vec(), Some(next));
+            }
+        }
         let row = RowReader::new(layout, factors, powers, has_velocity);
-        Ok(Self { lines, row, columns: read, first, pending, scaled })
+        Ok(Self { lines, row, columns: read, first, pending })
     }
 
-    /// The columns as they are read, once the first row is.
+    /// The columns as they are read.
     pub(crate) fn columns(&self) -> &[Column] {
         &self.columns
     }
@@ -82,35 +95,24 @@ impl<R: Read> Log<R> {
 
     /// The next row; none at the end.
     pub(crate) fn read(&mut self) -> io::Result<Option<Entry<'_>>> {
-        if std::mem::take(&mut self.pending) {
-            return Ok(Some(self.row.read(&self.first, self.lines.number())));
-        }
-        loop {
-            match self.lines.read()? {
-                Next::Line if blank(self.lines.text()) || self.tells_units() => {}
-                Next::Line => break,
-                Next::TooLong => {
-                    let (line, reason) = (self.lines.number(), Reason::TooLong);
-                    return Ok(Some(Entry::Bad(Bad { line, reason, time: None, force: None })));
+        let next = match self.pending.take() {
+            Some(Next::Line) => return Ok(Some(self.row.read(&self.first, self.lines.number()))),
+            Some(next) => next,
+            None => loop {
+                match self.lines.read()? {
+                    Next::Line if blank(self.lines.text()) => {}
+                    next => break next,
                 }
-                Next::End => return Ok(None),
+            },
+        };
+        let line = self.lines.number();
+        Ok(match next {
+            Next::Line => Some(self.row.read(self.lines.text(), line)),
+            Next::TooLong => {
+                Some(Entry::Bad(Bad { line, reason: Reason::TooLong, time: None, force: None }))
             }
-        }
-        Ok(Some(self.row.read(self.lines.text(), self.lines.number())))
-    }
-
-    /// Whether the line is the one below the names that tells their units, which it then reads in.
-    fn tells_units(&mut self) -> bool {
-        let Some(scaled) = self.scaled.take() else { return false };
-        let Some(units) = self.row.units(self.lines.text()) else { return false };
-        for (column, unit) in self.columns.iter_mut().zip(units) {
-            // A factor counts in place of a unit.
-            if !scaled[column.role.index()] {
-                self.row.take(column.role, unit);
-                column.unit = Some(unit.symbol());
-            }
-        }
-        true
+            Next::End => None,
+        })
     }
 }
 

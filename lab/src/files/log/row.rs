@@ -2,8 +2,6 @@
 
 use super::bad::{Bad, LARGEST, Reason};
 use super::columns::Role;
-use super::fields::bare;
-use super::heading::Unit;
 use super::layout::Layout;
 use super::notation::{Fault, Mark, Notation};
 use super::sample::Sample;
@@ -36,18 +34,6 @@ impl RowReader {
     ) -> Self {
         let notation = Notation::of(layout.delimiter);
         Self { layout, factors, powers, notation, has_velocity }
-    }
-
-    /// The units in a line that holds nothing else in the requested columns, in the order of the roles.
-    pub(super) fn units(&self, text: &[u8]) -> Option<Vec<Unit>> {
-        let fields = self.layout.pick(text).ok()?;
-        let roles = Role::ALL.into_iter().filter(|role| self.has_velocity || *role != Role::V);
-        roles.map(|role| Unit::alone(bare(fields[role.index()]), role)).collect()
-    }
-
-    /// Reads the numbers of a role in such a unit.
-    pub(super) fn take(&mut self, role: Role, unit: Unit) {
-        self.powers[role.index()] = unit.power();
     }
 
     /// The decimal mark of the numbers so far, once it is settled.
