@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use lyapunov::Scalar;
 
-use super::stretches::{ALL, FIRST, LAST_QUARTER, LAST_TENTH, SECOND, Span, Stretches};
+use super::stretches::{ALL, EARLY, LAST_QUARTER, LAST_TENTH, SECOND, Span, Stretches};
 use super::verdict::{Findings, Verdict, Yardstick};
 use crate::files::scene::Draft;
 use crate::simulate::criterion::BAND;
@@ -47,7 +47,7 @@ impl<T: Scalar> Fate<T> {
         Self::of_lanes([scene])
     }
 
-    /// The meter of a run of each of `scenes`, all with as many ticks.
+    /// The meter of a run of each of `scenes`, all with as many ticks, and in a cycle.
     pub(crate) fn of_lanes<'a>(scenes: impl IntoIterator<Item = &'a Draft>) -> Self {
         let mut last = 0;
         let criterion = |scene: &Draft| {
@@ -56,7 +56,8 @@ impl<T: Scalar> Fate<T> {
         };
         let criteria: Vec<Criterion> = scenes.into_iter().map(criterion).collect();
         let has_place = criteria.iter().all(|criterion| criterion.place().is_some());
-        let speeds = (!has_place).then(|| Stretches::new(last));
+        let cycle = criteria.iter().map(|criterion| criterion.cycle).max().unwrap_or(0);
+        let speeds = (!has_place).then(|| Stretches::recurring(last, cycle));
         Self { criteria, positions: Stretches::new(last), speeds }
     }
 
@@ -123,11 +124,12 @@ impl<T: Scalar> Fate<T> {
         end > (GROWTH * second).max(self.noise(lane))
     }
 
-    /// Size below which growth is noise: the band about the starting swing, or about the speed of the first quarter.
+    /// Size below which growth is noise: the band about the starting swing, or about the speed of the first half, of which the
+    /// second quarter is what growth is compared with.
     fn noise(&self, lane: usize) -> f64 {
         match self.criteria[lane].place() {
             Some(_) => BAND * self.criteria[lane].start,
-            None => BAND * self.size(FIRST, lane),
+            None => BAND * self.size(EARLY, lane),
         }
     }
 
@@ -339,6 +341,30 @@ mod tests {
         let balanced = scene("operator.rest = 0.022\ninitial.position = 0.002\n");
         let at = |x: f64| judged(&balanced, 101, move |_| x, |_| 0.0).0;
         assert_eq!((at(0.0029), at(0.0031)), (Verdict::Settles, Verdict::Swinging));
+    }
+
+    /// A motion that recurs with the hand, with a stroke in each period, over runs of all lengths and phases.
+    #[test]
+    fn what_recurs_with_its_drive_neither_grows_nor_settles() {
+        let (period, mut grown) = (0.7, 0);
+        for tenths in 14..70 {
+            let duration = f64::from(tenths) / 10.0;
+            let driven = scene(&format!(
+                "duration = {duration}\noperator.motion = {{ kind = \"sine\", amplitude = 0.01, frequency = {:?} }}\n",
+                1.0 / period
+            ));
+            for phase in [0.0, 0.1, 0.3, 0.6] {
+                let told = |rate: f64| {
+                    let stroke = |t: f64| if (t + phase) % period < 0.05 { 1.0 } else { 0.001 };
+                    let speed = move |t: f64| (rate * t).exp() * stroke(t);
+                    judged(&driven, driven.ticks() + 1, |_| 0.0, speed)
+                };
+                assert_eq!(told(0.0), (Verdict::Swinging, Yardstick::Speed), "{duration}, {phase}");
+                grown += u32::from(told(0.5).0 == Verdict::Grows);
+                assert_ne!(told(0.5).0, Verdict::Settles, "{duration}, {phase}");
+            }
+        }
+        assert_eq!(grown, 4 * 56);
     }
 
     /// Lanes of different scenes, against each by itself.

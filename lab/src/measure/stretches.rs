@@ -7,9 +7,6 @@ use lyapunov::Scalar;
 /// Number of stretches: the quarters of a run, the last of them divided where its last tenth begins.
 const COUNT: usize = 5;
 
-/// The first quarter.
-pub(crate) const FIRST: Range<usize> = 0..1;
-
 /// The second quarter.
 pub(crate) const SECOND: Range<usize> = 1..2;
 
@@ -22,10 +19,18 @@ pub(crate) const LAST_TENTH: Range<usize> = 4..5;
 /// The whole run.
 pub(crate) const ALL: Range<usize> = 0..COUNT;
 
+/// The first half.
+pub(crate) const EARLY: Range<usize> = 0..2;
+
 /// Watches the lowest and the highest value of a signal in each stretch of a run.
+///
+/// A signal that recurs is compared over whole cycles: where a cycle is longer than a quarter, the last cycle takes the place of the
+/// last quarter and the one before that of the second; where it is longer than a tenth, it takes the place of the last tenth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stretches<T> {
     last: u64,
+    /// The ticks in which the signal recurs; 0 if it does not.
+    cycle: u64,
     rows: u64,
     /// The row with which the next stretch begins, if there is one.
     next: u64,
@@ -62,9 +67,15 @@ impl<T: Scalar> Span<T> {
 impl<T: Scalar> Stretches<T> {
     /// The meter of a run of the ticks 0 to `last`.
     pub(crate) fn new(last: u64) -> Self {
+        Self::recurring(last, 0)
+    }
+
+    /// The same of a signal that recurs in `cycle` ticks.
+    pub(crate) fn recurring(last: u64, cycle: u64) -> Self {
         let (low, high) = (T::of(f64::INFINITY), T::of(f64::NEG_INFINITY));
         let (lows, highs) = ([low; COUNT], [high; COUNT]);
-        Self { last, rows: 0, next: start_of(1, last), stretch: 0, low, high, lows, highs }
+        let next = start_of(1, last, cycle);
+        Self { last, cycle, rows: 0, next, stretch: 0, low, high, lows, highs }
     }
 
     #[inline(always)]
@@ -108,7 +119,10 @@ impl<T: Scalar> Stretches<T> {
         while self.rows == self.next {
             self.stretch += 1;
             let next = self.stretch + 1;
-            self.next = if next < COUNT { start_of(next, self.last) } else { u64::MAX };
+            self.next = match next < COUNT {
+                true => start_of(next, self.last, self.cycle),
+                false => u64::MAX,
+            };
         }
     }
 
@@ -138,12 +152,30 @@ impl<T: Scalar> Stretches<T> {
     }
 }
 
-/// The first row of a stretch: `ceil(q (last + 1) / 4)` of quarter `q`, and of the last tenth `ceil(9 last / 10)`.
-fn start_of(stretch: usize, last: u64) -> u64 {
-    let quarter = |index: u64| (index * (last + 1)).div_ceil(4);
-    match stretch {
-        4 => (9 * last).div_ceil(10).max(quarter(3)),
-        index => quarter(index as u64),
+/// The first row of quarter `index`.
+fn quarter(index: u64, last: u64) -> u64 {
+    (index * (last + 1)).div_ceil(4)
+}
+
+/// Whether a quarter of a run is shorter than a cycle.
+pub(crate) fn exceeds_quarter(last: u64, cycle: u64) -> bool {
+    cycle > quarter(2, last) - quarter(1, last)
+}
+
+/// Whether the last tenth of a run is shorter than a cycle.
+pub(crate) fn exceeds_tenth(last: u64, cycle: u64) -> bool {
+    cycle > last + 1 - (9 * last).div_ceil(10)
+}
+
+/// The first row of a stretch: `ceil(q (last + 1) / 4)` of quarter `q`, and of the last tenth `ceil(9 last / 10)`; none of them
+/// later than leaves room for a cycle.
+fn start_of(stretch: usize, last: u64, cycle: u64) -> u64 {
+    let end = (last + 1).saturating_sub(cycle);
+    match (stretch, exceeds_quarter(last, cycle)) {
+        (4, _) => (9 * last).div_ceil(10).max(quarter(3, last)).min(end),
+        (3 | 2, true) => end,
+        (1, true) => end.saturating_sub(cycle),
+        (index, _) => quarter(index as u64, last),
     }
 }
 
@@ -171,6 +203,24 @@ mod tests {
             assert_eq!(meter.extremes(SECOND, 0), rows(0.25, 0.5), "{last}");
             assert_eq!(meter.extremes(LAST_QUARTER, 0), rows(0.75, 1.0), "{last}");
             assert_eq!(meter.extremes(ALL, 0), [0.0, last as f64]);
+            for cycle in 0..=(last + 1) / 2 {
+                let mut meter = Stretches::<f64>::recurring(last, cycle);
+                (0..=last).for_each(|row| meter.add(row as f64));
+                let length = |stretches| {
+                    let [low, high] = meter.extremes(stretches, 0);
+                    (high - low + 1.0).max(0.0) as u64
+                };
+                let least = if last >= 20 { 1.max(cycle) } else { cycle };
+                assert!(length(LAST_QUARTER) >= least && length(SECOND) >= least, "{last} {cycle}");
+                assert!(length(LAST_TENTH) >= least, "{last} {cycle}");
+                assert!(meter.extremes(SECOND, 0)[1] < meter.extremes(LAST_QUARTER, 0)[0]);
+                if last >= 20 {
+                    assert_eq!(meter.extremes(LAST_TENTH, 0)[1], last as f64);
+                }
+                if 4 * cycle <= last {
+                    assert_eq!(meter.extremes(SECOND, 0), rows(0.25, 0.5), "{last} {cycle}");
+                }
+            }
             if last >= 20 {
                 let start = (0..=last).find(|row| 10 * row >= 9 * last).unwrap();
                 assert_eq!(meter.extremes(LAST_TENTH, 0), [start as f64, last as f64], "{last}");

@@ -1,6 +1,7 @@
 //! Verdicts in words.
 
 use crate::files::Scene;
+use crate::measure::stretches::{exceeds_quarter, exceeds_tenth};
 use crate::measure::summary::MILLI;
 use crate::measure::{Summary, Verdict, Yardstick};
 use crate::simulate::Criterion;
@@ -82,11 +83,17 @@ impl Summary {
         let sizes = self.fate.sizes(0);
         let told = |speed: f64| format!("{} mm/s", found(MILLI * speed));
         let (end, second) = (told(sizes.end), told(sizes.second));
+        let (last, cycle) = (self.scene.ticks(), self.fate.criterion(0).cycle);
+        let period = format!("{} s", found(self.scene.period() * cycle as f64));
         match verdict {
+            Verdict::Grows if exceeds_quarter(last, cycle) => {
+                format!("up to {end} in the last {period}, {second} in as long before")
+            }
             Verdict::Grows => format!("up to {end} in the last quarter, {second} in the second"),
             _ => {
                 let (tail, widest) = (told(sizes.tail), told(sizes.widest));
-                format!("up to {tail} in the last tenth, {widest} in all")
+                let part = if exceeds_tenth(last, cycle) { period } else { "tenth".to_owned() };
+                format!("up to {tail} in the last {part}, {widest} in all")
             }
         }
     }

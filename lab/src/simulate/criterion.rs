@@ -35,6 +35,8 @@ pub(crate) struct Criterion {
     pub(crate) start: f64,
     /// Half the width of the band about the equilibrium that counts as settled, m; below 0 without an equilibrium.
     pub(crate) band: f64,
+    /// The ticks in which what drives the run recurs: the longest period of a hand and an environment that swing; 0 without.
+    pub(crate) cycle: u64,
     /// The reason why the run is too short to judge.
     pub(crate) shortage: Option<Shortage>,
 }
@@ -66,7 +68,10 @@ impl Criterion {
             (_, false) => equilibria.clone(),
             (_, true) => vec![hand],
         };
-        Self { equilibria, middles, start, band, shortage: Shortage::of(scene) }
+        // Rounded up, and of any size: a conversion ends at the largest number.
+        let cycle =
+            (slowest_drive(scene) * scene.servo_rate.get() * (1.0 - ROUNDING)).ceil() as u64;
+        Self { equilibria, middles, start, band, cycle, shortage: Shortage::of(scene) }
     }
 
     /// The coordinate that a motion is judged along, m: on a line the position, in a space the distance from the nearest
@@ -127,8 +132,13 @@ fn slowest_swing(scene: &Draft) -> f64 {
     let stiffness = last_pull(scene) + own.map_or(0.0, |it| it.stiffness);
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let free = if stiffness > 0.0 { TAU * (mass / stiffness).sqrt() } else { 0.0 };
-    let driven = driven(scene).into_iter().chain(kind.frequency());
-    driven.fold(free, |slowest, frequency| slowest.max(frequency.recip()))
+    free.max(slowest_drive(scene))
+}
+
+/// The longest period of a hand and an environment that swing, s; 0 without any.
+fn slowest_drive(scene: &Draft) -> f64 {
+    let driven = driven(scene).into_iter().chain(scene.environment.kind().frequency());
+    driven.fold(0.0, |slowest, frequency| slowest.max(frequency.recip()))
 }
 
 #[cfg(test)]

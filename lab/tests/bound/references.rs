@@ -9,7 +9,7 @@ use lyapunov_lab::bound::Limits;
 use crate::bound::systems::scene;
 
 /// Loop without its stiffness, largest stable stiffness, a tested stiffness, and 1 − spectral radius there.
-const REFERENCES: [(&str, f64, f64, f64); 10] = [
+const REFERENCES: [(&str, f64, f64, f64); 12] = [
     (
         "servo_rate = 1000\ndevice = { mass = 1.0, damping = 1e-5 }",
         0.020000000033333335,
@@ -81,6 +81,24 @@ const REFERENCES: [(&str, f64, f64, f64); 10] = [
         1779.9499731521417,
         300.0,
         1.0 - 0.99607521443348591214,
+    ),
+    (
+        "servo_rate = 1000\nenvironment_rate = 20\ndevice = { mass = 0.0288, damping = 0.0021 }\n\
+         operator = { mass = 0.1052, damping = 2375.5, stiffness = 0.0968 }\n\
+         link = { stiffness = 3.55e-7, damping = 52.0 }\neffects.delay.ticks = 8\n\
+         environment.mass-spring-damper = { damping = 0.0019, mass = 4.84e-5 }",
+        3096.4544327846159,
+        1000.0,
+        1.99382604258394e-6,
+    ),
+    (
+        "servo_rate = 1000\nenvironment_rate = 20\ndevice = { mass = 0.0077, damping = 1.006 }\n\
+         operator = { mass = 0.00096, damping = 1.54e-5, stiffness = 54.6 }\n\
+         link = { stiffness = 5645.0, damping = 1.124 }\neffects.delay.ticks = 6\n\
+         environment.mass-spring-damper = { damping = 0.0, mass = 8.54e-6 }",
+        54.946241290497616,
+        50.0,
+        1.0 - 0.90854554110040080978,
     ),
 ];
 

@@ -16,7 +16,8 @@ const DEGREE: u32 = 28;
 /// A root moves by less than this share of itself, squared, while its last digits are computed.
 const POLISH: f64 = 1e-8;
 
-/// A place whose Newton step is longer than this share of it, or of 1, has not come to a root.
+/// The largest value at a root, as a share of the sum of the sizes of its terms: what is left is further from any root than
+/// rounding or a high order take it.
 const NEAR: f64 = 1e-3;
 
 /// Characteristic polynomial of the map that takes a loop from one tick of the environment to the next,
@@ -129,12 +130,12 @@ impl LoopMap {
         settle(&mut places, step);
         let polished = places.into_iter().map(|w| {
             // The value to all digits; its derivative needs few.
-            let (newton, value) = (step(w), self.long_value(&answer, delay, w));
-            let is_near = newton.norm_sqr() <= NEAR * NEAR * (1.0 + w.norm_sqr());
-            if !is_near && value != Complex::from(0.0) {
+            let value = self.long_value(&answer, delay, w);
+            let size = self.size(&answer, delay, w);
+            if !(size.is_finite() && (value.re.abs() + value.im.abs()) <= NEAR * size) {
                 return Complex::from(f64::NAN);
             }
-            let change = ratio(value, ratio(self.value(&answer, delay, w), newton));
+            let change = ratio(value, ratio(self.value(&answer, delay, w), step(w)));
             if change.norm_sqr() < POLISH * w.norm_sqr() { w - change } else { w }
         });
         polished.collect()
@@ -143,6 +144,16 @@ impl LoopMap {
     fn value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {
         let z = Complex::from(1.0) + w;
         z.powu(delay) * self.plant.at(w)[0] + answer.at(w)[0]
+    }
+
+    /// The sum of the sizes of all terms of the value.
+    fn size(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> f64 {
+        let (z, w) = (libm::hypot(1.0 + w.re, w.im), libm::hypot(w.re, w.im));
+        let sum = |it: &Polynomial| {
+            let sizes = it.coefficients().iter().map(|it| f64::from(*it).abs());
+            sizes.rev().fold(0.0, |sum, size| sum * w + size)
+        };
+        libm::pow(z, f64::from(delay)) * sum(&self.plant) + sum(answer)
     }
 
     fn long_value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {

@@ -54,7 +54,9 @@ fn are_alike(one: &Scene, other: &Scene) -> bool {
     let clock = |it: &Scene| (it.servo_rate, it.environment_ratio(), it.ticks(), it.scalar);
     let kind = |it: &Scene| {
         let mass = it.environment.kind().impedance().map(|it| it.mass == 0.0);
-        (discriminant(&it.environment), mass, it.link.is_some(), it.velocity, it.integrator)
+        // Runs in lanes are judged over the same cycle.
+        let cycle = it.environment.kind().frequency().map(f64::to_bits);
+        (discriminant(&it.environment), mass, cycle, it.link.is_some(), it.velocity, it.integrator)
     };
     clock(one) == clock(other)
         && kind(one) == kind(other)
