@@ -16,11 +16,11 @@ use super::series::{Series, Trace};
 use super::span::Span;
 use super::thinning::{thinned, thinned_dots};
 
-/// The most points of all curves of a figure; beyond it each is thinned by the same share. With a few bytes for a point a
+/// The most points of all curves of a figure; beyond it long ones are thinned by the same share. With a few bytes for a point a
 /// page of several figures stays below a megabyte.
 const MOST_POINTS: usize = 40_000;
 
-/// A curve of so many points is not thinned: one that soon ends would lose its shape for what others have too many.
+/// A curve of at most so many points is kept whole: one that ends early would else lose its shape because others are long.
 const FEWEST: f64 = 200.0;
 
 /// Digits of an abscissa: a time stays apart from the next one over a million ticks.
@@ -37,9 +37,10 @@ pub(super) fn packed(figure: &Figure) -> String {
 }
 
 fn json(figure: &Figure) -> String {
-    let series = figure.panels.iter().flat_map(|panel| &panel.series);
-    let points: usize = series.map(|series| series.points.len()).sum();
+    let series = || figure.panels.iter().flat_map(|panel| &panel.series);
+    let points: usize = series().map(|series| series.points.len()).sum();
     let share = MOST_POINTS as f64 / points.max(MOST_POINTS) as f64;
+    let is_thinned = series().any(|series| is_long(series, share));
     let cells = figure.panels.iter().filter_map(|panel| panel.heat.as_ref());
     let digits = digits(cells.map(|heat| heat.values.len()).sum());
     let mut columns = Vec::new();
@@ -48,9 +49,8 @@ fn json(figure: &Figure) -> String {
     let (across, height) = page::layout(figure);
     let [title, height] = [text(&figure.title), short(height, 4)];
     format!(
-        "{{\"title\":{title},\"columns\":{across},\"height\":{height},\"thinned\":{},\"panels\":{panels},\
+        "{{\"title\":{title},\"columns\":{across},\"height\":{height},\"thinned\":{is_thinned},\"panels\":{panels},\
          \"x\":[{}]}}",
-        share < 1.0,
         columns.join(",")
     )
 }
@@ -139,18 +139,26 @@ fn of_heat(heat: &HeatMap, digits: usize) -> String {
     )
 }
 
+/// The most points that are kept of a curve of as many `points`.
+fn most(points: usize, share: f64) -> f64 {
+    (share * points as f64).max(FEWEST)
+}
+
+/// Whether a curve is thinned.
+fn is_long(series: &Series, share: f64) -> bool {
+    series.trace != Trace::Bars && series.points.len() as f64 > most(series.points.len(), share)
+}
+
 /// The points of a curve, or of a long one those that show its extremes: a `share` of them, or [`FEWEST`].
 fn kept(series: &Series, x: Span, y: Span, share: f64) -> Vec<(f64, f64)> {
     let points = &series.points;
-    if share >= 1.0 || series.trace == Trace::Bars {
+    if !is_long(series, share) {
         return points.clone();
     }
-    let most = (share * points.len() as f64).max(FEWEST);
-    if points.len() as f64 <= most {
-        return points.clone();
-    }
-    // At most four points of a column are kept.
-    let width = most / 4.0;
+    // At most four points of a column are kept, and the columns are those of the curve's own part of the frame.
+    let width = most(points.len(), share) / 4.0;
+    let own = Span::of(points.iter().map(|point| point.0));
+    let x = own.map_or(x, Span::readable);
     let place = |&(a, b): &(f64, f64)| (width * x.fraction(a), width * y.fraction(b));
     let back = |span: Span, part: f64| span.low + part / width * (span.high - span.low);
     let runs = points.split(|(a, b)| !(a.is_finite() && b.is_finite()));

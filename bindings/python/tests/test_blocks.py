@@ -215,7 +215,7 @@ def test_a_time_that_nothing_uses_is_refused(kind):
         (lambda: ly.Stabilizer("popc", limit=-1.0), "^limit is -1.0"),
         (lambda: ly.Stabilizer("popc", limit=math.nan), "^limit is NaN"),
         (lambda: ly.Stabilizer("popc", limit=1.0, dampin=1.0), "`popc` has no dampin"),
-        (lambda: ly.Stabilizer("lolc", limit=1.0), "needs damping or candidate"),
+        (lambda: ly.Stabilizer("lolc"), "`lolc` needs limit, damping\n  = give by name: limit=… in N·s/m, damping=… in N·s/m, or candidate"),
         (lambda: ly.Stabilizer("popc-spread", limit=1.0, ticks=1.5), "must be a whole number"),
         (lambda: ly.Stabilizer("tank", start=-1.0), "tank"),
         (lambda: ly.Observer(damping=-0.1), "damping is -0.1"),

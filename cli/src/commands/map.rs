@@ -62,10 +62,11 @@ pub(crate) struct Map {
     /// Write the map into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
-    /// Go on with the unfinished map in the folder; a sweep, without --y, leaves none.
+    /// Go on with the unfinished map in the folder; not for a sweep, which is a map without --y.
     #[arg(long, requires_all = ["out", "y"])]
     resume: bool,
-    /// Compute share i of n only, i from 0; `lyapunov map merge` puts the shares together. A sweep is not cut.
+    /// Compute share i of n only, i from 0; `lyapunov map merge` puts the shares together; not for
+    /// a sweep.
     #[arg(long, value_name = "i/n", requires_all = ["out", "y"])]
     shard: Option<Shard>,
     /// Find the edge of stability at the resolution of the grid, from few of its runs.

@@ -121,5 +121,6 @@ fn errors_name_the_file_and_the_remedy() {
         "effects.dropout.probability=0..1:3",
         &["scene.toml: ", "has no table [effects.dropout]", "add the table to the scene"],
     );
+    refuses("environment.plane.stiffness=1..2:3", &["did you mean `environment.wall.stiffness`?"]);
     place.refuses(["map", "scene.toml", "--x", "device.mass=1..2:3", "--resume"], &["--y"]);
 }

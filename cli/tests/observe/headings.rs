@@ -48,6 +48,11 @@ fn report(log: &str, arguments: &[&str]) -> Value {
     report
 }
 
+/// A log without its first line.
+fn rows(log: &str) -> &str {
+    log.split_once('\n').unwrap().1
+}
+
 #[test]
 fn units_words_and_commas_give_the_identical_report() {
     let si = report(&log(["t", "x", "f"], [-6, -6, -3], ',', '.'), &[]);
@@ -79,6 +84,14 @@ fn units_words_and_commas_give_the_identical_report() {
     }
     let commented = format!("# {}", text.replacen('\n', "\n# ms,mm,kN\n# a comment\n", 1));
     assert_eq!(report(&commented, &[])["energy"], si["energy"]);
+    // A sentence is not the names, whatever words it has; nor are names that other signs part than the rows.
+    let sentence = "# Force and position of the device over time\n";
+    assert_eq!(report(&format!("{sentence}{text}"), &[])["energy"], report(&text, &[])["energy"]);
+    for told in [format!("{sentence}# {blanks}"), format!("{sentence}# t,x,f\n{}", rows(&text))] {
+        assert_eq!(report(&told, &[])["rows"], 200, "{told}");
+    }
+    let ended = observe(format!("# t x f\n{}", rows(&text)).as_bytes(), &[]);
+    assert!(ended.error.contains("give --columns the numbers of the columns"), "{}", ended.error);
     // A line of units that is not understood is no bad row: all would be read in SI.
     for (units, words) in [
         ("ms,mm,lbf", &["log.csv:2: `lbf` is no unit of force", "--scale f=1e-3"][..]),

@@ -152,6 +152,12 @@ impl Summary {
         self.fate.verdict_by(0)
     }
 
+    /// The time from which the plant stays in the band, s; none unless the run settles: another is in it by the phase of its last
+    /// swing.
+    pub fn settling_time(&self) -> Option<f64> {
+        self.settled.filter(|_| self.verdict() == Verdict::Settles)
+    }
+
     /// The signs of a mistake in the scene or its run; docs/sanity.md has the thresholds.
     pub fn look_at(&self) -> Vec<Oddity> {
         let mut signs = self.seen();

@@ -85,7 +85,6 @@ impl Summary {
         against: Option<impl Serialize>,
     ) -> serde_json::Result<String> {
         let complete = self.left_range().is_none();
-        let settling_time_s = self.settled.filter(|_| complete);
         let stabilizer = self.stabilizing.is_there().then(|| self.stabilizer());
         let document = Document {
             scene,
@@ -93,7 +92,7 @@ impl Summary {
             complete,
             verdict: self.verdict(),
             verdict_by: self.verdict_by(),
-            settling_time_s,
+            settling_time_s: self.settling_time(),
             equilibrium_mm: self.equilibrium.as_deref().map(Place::of),
             band_mm: self.equilibrium.as_ref().map(|_| MILLI * self.band),
             peak_force_environment_n: self.environment_peak,

@@ -22,8 +22,10 @@ const fn needed(name: &'static str, unit: &'static str) -> Number {
 /// The largest damping.
 const LIMIT: Number = needed("limit", "N·s/m");
 
+/// A number of ticks.
 const TICKS: Number = needed("ticks", "whole ticks");
 
+/// The damping of the device.
 const DAMPING: Number = needed("damping", "N·s/m");
 
 /// The stabilizers of one port, under the names of docs/family.md, and their numbers in SI units.
@@ -98,10 +100,13 @@ impl Recipe {
         let given = given.into_iter().flat_map(|given| given.keys());
         let given: Vec<String> = given.map(|key| key.extract()).collect::<PyResult<_>>()?;
         only(name, &given, &known)?;
+        if *name == "lolc" && damping.is_none() && object.is_none() {
+            missing.push(("damping", "N·s/m, or candidate=… with a method decrease(sample)"));
+        }
         complete(name, &missing)?;
-        if *name == "lolc" && damping.is_some() == object.is_some() {
+        if damping.is_some() && object.is_some() {
             return Err(errors::input(
-                "`lolc` needs damping or candidate, one of the two\n  = give the damping that the device surely has, \
+                "`lolc` takes damping or candidate, one of the two\n  = give the damping that the device surely has, \
                  in N·s/m, or an object with a method decrease(sample)",
             ));
         }

@@ -82,7 +82,7 @@ fn columns(first: u64, runs: &[Summary]) -> Columns {
     Columns(vec![
         ("member".to_owned(), Column::Numbers(members)),
         ("verdict".to_owned(), Column::Words(verdicts)),
-        numbers("settling_time_s", &|run| run.settled.filter(|_| run.left_range().is_none())),
+        numbers("settling_time_s", &Summary::settling_time),
         numbers("peak_force_environment_n", &|run| Some(run.environment_peak)),
         numbers("peak_force_acting_n", &|run| Some(run.acting_peak)),
         numbers("energy_into_port_mj", &|run| Some(1e3 * run.absorbed)),

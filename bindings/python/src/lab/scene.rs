@@ -39,9 +39,9 @@ impl Scene {
             return Self::read(py, &text, name);
         }
         let path: PathBuf = source.extract().map_err(|_| {
-            let kind = source.get_type();
+            let kind = source.get_type().name().map_or_else(|_| "this".into(), |it| it.to_string());
             PyTypeError::new_err(format!(
-                "a scene is a dictionary, or the path of a file, and not {kind}; several are arguments of their own"
+                "a scene is a dictionary, or the path of a file, and not {kind}"
             ))
         })?;
         let scene = lab::Scene::load(&path).map_err(|fault| errors::scene(py, &fault))?;

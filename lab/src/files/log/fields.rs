@@ -4,7 +4,7 @@ use super::lines::find;
 use super::notation::is_number;
 
 /// Delimiter that stands for any number of blanks.
-const BLANK: u8 = b' ';
+pub(super) const BLANK: u8 = b' ';
 
 /// The raw fields of a line.
 ///

@@ -4,6 +4,7 @@ mod bad;
 mod columns;
 mod error;
 mod fields;
+mod head;
 mod heading;
 mod layout;
 mod lines;
@@ -28,7 +29,7 @@ pub(crate) use time_step::{GAP, TimeStep, median_period};
 
 use std::io::{self, Read};
 
-use layout::Layout;
+use head::Head;
 use lines::{Lines, Next};
 use notation::Mark;
 use row::RowReader;
@@ -55,7 +56,7 @@ impl<R: Read> Log<R> {
         scales: &[Scale],
     ) -> Result<Self, LogError> {
         let mut lines = Lines::new(reader);
-        let (layout, first) = head(&mut lines, name, columns)?;
+        let Head { layout, mut below } = Head::read(&mut lines, name, columns)?;
         let (mut factors, mut scaled) = ([1.0; 4], [false; 4]);
         for Scale { role, factor } in scales {
             factors[role.index()] *= factor;
@@ -65,18 +66,23 @@ impl<R: Read> Log<R> {
         let scaled = std::array::from_fn(|at| scaled[at] && factors[at] != -1.0);
         let (mut read, mut powers) = layout.units(name, &scaled)?;
         let has_velocity = columns.has(Role::V);
-        let (mut first, mut pending) = (first, layout.is_row.then_some(Next::Line));
-        while pending.is_none() {
-            let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
-            let (line, place) = (lines.text(), (name, lines.number()));
-            let is_row = next != Next::Line || !(blank(line) || line.starts_with(b"#"));
+        let (mut first, mut pending, mut has_units) = (Vec::new(), None, layout.is_row);
+        loop {
+            let (next, at, line) = match below.pop_front() {
+                Some((at, line)) => (Next::Line, at, line),
+                None if pending.is_some() || has_units && !layout.is_row => break,
+                None => {
+                    let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
+                    (next, lines.number(), lines.text().to_vec())
+                }
+            };
             if next == Next::Line
-                && take_units(&layout, line, place, &scaled, &mut read, &mut powers)?
+                && !has_units
+                && take_units(&layout, &line, (name, at), &scaled, &mut read, &mut powers)?
             {
-                break;
-            }
-            if is_row {
-                (first, pending) = (line.to_vec(), Some(next));
+                has_units = true;
+            } else if next != Next::Line || !(blank(&line) || line.starts_with(b"#")) {
+                (first, pending) = (line, Some(next));
             }
         }
         let row = RowReader::new(layout, factors, powers, has_velocity);
@@ -119,43 +125,4 @@ impl<R: Read> Log<R> {
 /// Whether a line is empty, and so no row.
 fn blank(line: &[u8]) -> bool {
     line.trim_ascii_start().is_empty()
-}
-
-/// The layout, and the line that it was read from unless that is a comment.
-///
-/// Lines that begin with `#` are comments, except for one that holds all the names: some programs write the names
-/// behind such a sign.
-fn head<R: Read>(
-    lines: &mut Lines<R>,
-    name: &str,
-    columns: &Columns,
-) -> Result<(Layout, Vec<u8>), LogError> {
-    const EXPECTED: &str = "give a log of comma-separated values, as text with one row per line";
-    loop {
-        let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
-        let (line, at) = (lines.text(), lines.number());
-        match next {
-            Next::Line => {}
-            Next::TooLong => {
-                let message = "this is no row: the line is longer than 256 KiB";
-                return Err(LogError::at(name, at, message).with_help(EXPECTED));
-            }
-            Next::End => {
-                return Err(LogError::about(name, "the log is empty").with_help(EXPECTED));
-            }
-        }
-        let line = if at == 1 { line.strip_prefix(b"\xef\xbb\xbf").unwrap_or(line) } else { line };
-        if blank(line) {
-            continue;
-        }
-        match line.strip_prefix(b"#") {
-            Some(_) if columns.numbered() => {}
-            Some(comment) => {
-                if let Ok(layout) = Layout::of(comment, columns, name, at) {
-                    return Ok((layout, Vec::new()));
-                }
-            }
-            None => return Ok((Layout::of(line, columns, name, at)?, line.to_vec())),
-        }
-    }
 }

@@ -90,7 +90,7 @@ fn absent(path: &str) -> String {
     let name = Path::new(path).file_stem().and_then(|it| it.to_str()).unwrap_or_default();
     match SCENES.iter().find(|scene| scene.name == name) {
         Some(_) => format!(
-            "{check}; `lyapunov scenes {name} > {name}.toml` saves the one of that name that ships"
+            "{check}; `lyapunov scenes {name} > {name}.toml` saves the shipped file of that name"
         ),
         None => check.to_owned(),
     }

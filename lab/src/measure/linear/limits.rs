@@ -1,5 +1,7 @@
 //! Stiffness limits of a scene.
 
+use lyapunov::bodies::Impedance;
+
 use super::{LinearPart, NotLinear, rules};
 use crate::files::scene::{Filter, Scene, Velocity};
 
@@ -34,11 +36,20 @@ impl Limits {
         let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
         let sound = part.as_ref().ok();
         let spectral_radius = finite(sound.map(LinearPart::spectral_radius));
-        let within = sound.filter(|_| spectral_radius.is_some());
+        // A limit does not depend on the scene's own stiffness, which may be out of range by itself.
+        let soft = |part: &LinearPart| {
+            let environment = Impedance { stiffness: 0.0, ..part.environment };
+            LinearPart { environment, ..*part }.spectral_radius()
+        };
+        let within = sound.filter(|part| soft(part).is_finite());
         let range = within.map(|part| part.stable_stiffness().unwrap_or([0.0, 0.0]));
         let mut notes = notes(scene, part, range);
         if within.is_none() && part.is_ok() {
             notes.push("the loop is out of the range of the numbers".to_owned());
+        } else if spectral_radius.is_none() && part.is_ok() {
+            notes.push(
+                "at its own stiffness the loop is out of the range of the numbers".to_owned(),
+            );
         }
         Self {
             stiffness: scene.environment.kind().impedance().map(|it| it.stiffness),

@@ -146,9 +146,9 @@ impl LoopMap {
         z.powu(delay) * self.plant.at(w)[0] + answer.at(w)[0]
     }
 
-    /// The sum of the sizes of all terms of the value.
+    /// The sum of the sizes of all terms of the value, a little further from 0 than `w`: at a root there only one is left.
     fn size(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> f64 {
-        let (z, w) = (libm::hypot(1.0 + w.re, w.im), libm::hypot(w.re, w.im));
+        let (z, w) = (libm::hypot(1.0 + w.re, w.im), libm::hypot(w.re, w.im) + NEAR);
         let sum = |it: &Polynomial| {
             let sizes = it.coefficients().iter().map(|it| f64::from(*it).abs());
             sizes.rev().fold(0.0, |sum, size| sum * w + size)

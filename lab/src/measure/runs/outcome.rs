@@ -13,12 +13,21 @@ pub struct Outcome {
     pub measures: Measures,
 }
 
+impl Outcome {
+    /// The outcome of a run with these measures, as far as they go with its verdict: only what settles has a settling time, as
+    /// others are within the band by the phase of their last swing.
+    pub(crate) fn of(verdict: Verdict, verdict_by: Yardstick, measures: Measures) -> Self {
+        let settling_time = measures.settling_time.filter(|_| verdict == Verdict::Settles);
+        Self { verdict, verdict_by, measures: Measures { settling_time, ..measures } }
+    }
+}
+
 /// Measures of a run; none where one does not apply or is out of range.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measures {
     /// Largest force on the plant, N.
     pub peak_force: Option<f64>,
-    /// Time from which on the plant stays in the band about its equilibrium, s.
+    /// Time from which on the plant stays in the band about its equilibrium, s; of an [`Outcome`] none unless it settles.
     pub settling_time: Option<f64>,
     /// The energy that the environment gave out beyond what it absorbed, mJ.
     pub energy_injected: Option<f64>,

@@ -4,7 +4,7 @@ use lyapunov::accumulators::{Accumulator, Compensated};
 
 use super::fit::Fit;
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
-use crate::files::log::Sample;
+use crate::files::log::{GAP, Sample};
 use crate::text::found;
 
 /// Speed that no hand reaches, m/s: the fastest throws leave it at less.
@@ -61,6 +61,8 @@ pub(crate) struct LogSigns {
     contact: Option<f64>,
     rows: u64,
     last: Option<Sample>,
+    /// The last step that was no gap, s.
+    usual: f64,
     /// Energy by the force of each row held until the next, `Σ f Δx`, J.
     held: Compensated<f64>,
     all: Sizes,
@@ -88,6 +90,7 @@ impl LogSigns {
             contact,
             rows: 0,
             last: None,
+            usual: f64::INFINITY,
             held: Compensated::zero(),
             all: none,
             by_hand: none,
@@ -106,7 +109,11 @@ impl LogSigns {
         let last = self.last.replace(*row).unwrap_or(*row);
         let (period, displacement) = (time - last.t, position - last.x);
         let mean = if period > 0.0 { displacement / period } else { 0.0 };
-        let velocity = row.v.unwrap_or(mean);
+        let is_gap = period > GAP * self.usual;
+        self.usual = if is_gap || period == 0.0 { self.usual } else { period };
+        // What was measured at the end of a gap says little of the time before.
+        let is_slow = |measured: &f64| !(is_gap && mean.abs() < measured.abs());
+        let velocity = row.v.filter(is_slow).unwrap_or(mean);
         self.rows += 1;
         self.held.add(last.f * displacement);
         self.all.low = self.all.low.min(position);

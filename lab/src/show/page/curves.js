@@ -65,8 +65,11 @@ function decades(min, max, most) {
   return Array.from({ length: 8 }, (_, index) => Math.log10((first + index) * even)).filter((it) => it <= max);
 }
 
-// An axis with its name, its numbers or the names of its rows; `room` tells the room of an ordinate from what it needs.
-function axis(panel, key, room) {
+// The room that uPlot gives the name of an axis.
+const NAME = 20;
+
+// An axis with its name, its numbers or the names of its rows; `roomOf` tells the room of an ordinate from what it needs.
+function axis(panel, key, roomOf) {
   const isLog = panel[`${key}Log`];
   const rows = key === "y" ? panel.rows : undefined;
   const written = (value) => (isLog ? power(value) : told(value, 10));
@@ -75,13 +78,15 @@ function axis(panel, key, room) {
     u.ctx.font = FONT;
     const widest = Math.max(0, ...(texts ?? []).map((text) => u.ctx.measureText(text).width));
     u.ctx.restore();
-    return room(Math.min(widest + 16, 0.45 * u.width));
+    // Without a name its room is there for numbers and rows.
+    const more = panel.y ? 0 : NAME;
+    return roomOf(Math.min(widest + 16, 0.45 * u.width) - more) + more;
   };
   const made = {
     stroke: () => css("--ink"),
     font: FONT,
     labelFont: FONT,
-    labelSize: 20,
+    labelSize: NAME,
     grid: { stroke: () => css("--line"), width: 1 },
     ticks: { stroke: () => css("--line"), width: 1, size: 4 },
     values: (u, splits) => splits.map(written),
@@ -152,7 +157,10 @@ function besideLevel(u, level, label, curves) {
   const ratio = devicePixelRatio;
   const width = ctx.measureText(label).width;
   const edges = [bbox.left + bbox.width - width - 4 * ratio, bbox.left + 4 * ratio];
-  const places = [level - 4 * ratio, level + 12 * ratio].flatMap((line) => edges.map((left) => [left, line]));
+  const lines = [level - 4 * ratio, level + 12 * ratio];
+  const isWithin = (line) => line - 9 * ratio >= bbox.top && line + 2 * ratio <= bbox.top + bbox.height;
+  const kept = lines.some(isWithin) ? lines.filter(isWithin) : lines;
+  const places = kept.flatMap((line) => edges.map((left) => [left, line]));
   const shown = curves.filter((curve) => curve.shown).flatMap((curve) => curve.points);
   const points = shown.map(([x, y]) => [u.valToPos(x, "x", true), u.valToPos(y, "y", true)]);
   const covered = ([left, line]) =>

@@ -242,7 +242,7 @@ class LiveFigure {
   room(plot, own) {
     const column = (it) => this.plots.indexOf(it) % this.columns;
     const at = column(plot);
-    if (own > (this.rooms[at] ?? 0)) {
+    if (own > (this.rooms[at] ??= 0)) {
       this.rooms[at] = own;
       const others = this.plots.filter((it) => it !== plot && column(it) === at);
       requestAnimationFrame(() => others.forEach((it) => it.u.redraw(false, true)));

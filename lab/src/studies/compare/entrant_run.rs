@@ -147,7 +147,7 @@ impl<V: Space> Meters<V> {
         let score = Score {
             stabilizer,
             verdict,
-            settling_time: summary.settled.filter(|_| summary.left_range().is_none()),
+            settling_time: summary.settling_time(),
             short_peak: contacts.short_peak(),
             long_peak: contacts.long_peak(),
             energy_injected: millijoules(energies.injected()),

@@ -45,7 +45,7 @@ impl Recording {
                 Entry::Good(sample) => {
                     let last = rows.last().map(|it| it.0);
                     if let Some(last) = last
-                        && sample.t <= last.t
+                        && !last.is_before(&sample)
                     {
                         let message = format!("t = {:?} s is not after {:?} s", sample.t, last.t);
                         return Err(LogError::at(name, sample.line, message)

@@ -258,10 +258,11 @@ impl<'a> Run<'a> {
             measures.map_err(|error| self.blamed(cells, error))
         })?;
         let unmeasured =
-            |(verdict, verdict_by)| Outcome { verdict, verdict_by, measures: Measures::default() };
+            |(verdict, verdict_by)| Outcome::of(verdict, verdict_by, Measures::default());
         let mut outcomes: Vec<Outcome> = verdicts.into_iter().map(unmeasured).collect();
         for (at, measures) in measured.into_iter().zip(measures) {
-            outcomes[at].measures = measures;
+            let Outcome { verdict, verdict_by, .. } = outcomes[at];
+            outcomes[at] = Outcome::of(verdict, verdict_by, measures);
         }
         effort.measures_seconds += began.elapsed().as_secs_f64();
         Ok(outcomes)
@@ -317,8 +318,7 @@ impl<'a> Run<'a> {
         let outcome = |judged: Judged<Measures>| {
             let measures = judged.reading.unwrap_or_default();
             let active = measures.active.filter(|_| member.reports_damping());
-            let (verdict, verdict_by) = (judged.verdict, judged.verdict_by);
-            Outcome { verdict, verdict_by, measures: Measures { active, ..measures } }
+            Outcome::of(judged.verdict, judged.verdict_by, Measures { active, ..measures })
         };
         Ok(judged.map(|judged| judged.into_iter().map(outcome).collect()))
     }

@@ -49,7 +49,8 @@ impl Vary {
             }
             // A scene may leave out a number with a default.
             None if find(tree, table(key)).is_some() && is_number(key) => is_whole(key),
-            None if is_number(key) => {
+            // A scene has one environment.
+            None if is_number(key) && !key.starts_with("environment.") => {
                 let table = table(key);
                 let problem = format!("the scene has no table [{table}]");
                 let remedy = format!("`{key}` is a number of it: add the table to the scene");
