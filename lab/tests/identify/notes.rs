@@ -40,6 +40,35 @@ fn a_log_in_another_unit_is_told_from_its_own_numbers() {
     assert!(found.len() == 1 && found[0].text.contains("--scale x=1e-3"), "{found:?}");
 }
 
+/// A log whose hand moves is fitted over short stretches, however little noise there is.
+#[test]
+fn a_clean_log_of_a_hand_that_moves_tells_its_mass() {
+    for swing in [0.004, 0.02] {
+        let found = of(Truth { swing, ..PLAIN }, 3000);
+        let mass = found.report.mass;
+        assert!(found.report.residual.is_pushed, "{swing}");
+        assert!((mass.low..=mass.high).contains(&0.3), "{swing}: {mass:?}");
+    }
+}
+
+/// Stamps in whole microseconds of a clock of 333 Hz, whose median step is 3.003 ms and mean step 3.003003 ms.
+#[test]
+fn the_scene_has_the_clock_of_its_log_and_lasts_as_long() {
+    let log = PLAIN.log(1500, &mut Chance::new(7));
+    let stamped = |(row, line): (usize, &str)| {
+        let fields = line.split_once(',').unwrap().1;
+        let time = (1e6 * row as f64 / 333.0).round() / 1e6;
+        format!("{time:?},{fields}\n")
+    };
+    let (names, rows) = log.split_once('\n').unwrap();
+    let rows: String = rows.lines().enumerate().map(stamped).collect();
+    let found = fitted(&format!("{names}\n{rows}")).unwrap();
+    let scene = Scene::parse(&found.scene, "scene").unwrap();
+    assert!((scene.servo_rate.get() - 333.0).abs() < 1e-4, "{}", found.scene);
+    assert!(scene.end() >= 1499.0 / 333.0 - 1e-6, "{}", found.scene);
+    assert_eq!(scene.ticks(), 1499);
+}
+
 #[test]
 fn a_hand_that_moves_is_said() {
     for (swing, told) in [(0.004, 2.0), (0.001, 0.1), (1e-4, 0.03)] {

@@ -111,8 +111,10 @@ impl Device {
         let short =
             Setting { horizon: STRETCH, pushed: true, free: [true, true, false, true], ..whole };
         // An unknown push looks like lateness over many rows, and like a constant over few.
-        let short = lateness(&short).map_or(short, |(lag, _)| Setting { lag, ..short });
-        let near = short.fit(long.at);
+        // The fit of the whole log may have run away, and is no place to begin at then.
+        let (short, from) =
+            lateness(&short).map_or((short, long.at), |(lag, at)| (Setting { lag, ..short }, at));
+        let near = short.fit(from);
         let error = long.error(whole.count());
         let short_error = near.as_ref().map_or(error, |fit| fit.error(short.count()));
         let grid = recording.resolution().map_or(0.0, |it| it / 12_f64.sqrt());

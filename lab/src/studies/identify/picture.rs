@@ -60,7 +60,14 @@ impl Identified {
             points.extend(rows.zip(fitted.by_ref()).map(left));
             points.push((f64::NAN, f64::NAN));
         }
-        Panel::new("(b) what the model leaves under the log's force", "time, s", "x − model, µm")
+        // The fit whose numbers are told.
+        let title = match self.device.is_pushed {
+            false => "(b) what the model leaves under the log's force",
+            true => {
+                "(b) what the model leaves over 32 rows, under the log's force and a constant one"
+            }
+        };
+        Panel::new(title, "time, s", "x − model, µm")
             .with_series(Series::line("", 0, points))
             .with_guide(Guide::horizontal(0.0, ""))
     }

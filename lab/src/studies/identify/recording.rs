@@ -79,6 +79,13 @@ impl Recording {
         Some((*self.stretches.first()?.times.first()?, *self.stretches.last()?.times.last()?))
     }
 
+    /// The mean time step within the stretches, s: of stamps that are rounded or late now and then, the clock behind them.
+    pub(super) fn mean_period(&self) -> f64 {
+        let time: f64 = self.stretches.iter().map(|it| it.times[it.len() - 1] - it.times[0]).sum();
+        let steps: usize = self.stretches.iter().map(|it| it.len() - 1).sum();
+        if steps > 0 { time / steps as f64 } else { self.period }
+    }
+
     /// The largest magnitude of the force, N.
     pub(super) fn largest_force(&self) -> f64 {
         self.stretches.iter().flat_map(|it| &it.forces).fold(0.0_f64, |most, it| most.max(it.abs()))

@@ -26,6 +26,8 @@ pub struct Report {
     pub duration: f64,
     /// The median period, s.
     pub median_period: f64,
+    /// The mean period without gaps, s: that of the scene.
+    pub mean_period: f64,
     /// Mass of hand and device, kg.
     pub mass: Estimate,
     /// Damping of hand and device, N·s/m.
@@ -50,7 +52,7 @@ pub struct Report {
     pub acts_late: usize,
     /// What the fit leaves of the positions.
     pub residual: Residual,
-    /// The difference between a run of the scene and the log, root mean square, m; none over a gap.
+    /// The difference between a run of the scene and the log, root mean square, m; none where the scene does not run.
     pub replayed: Option<f64>,
     /// What the data cannot tell, and what they contradict.
     pub notes: Vec<String>,
@@ -129,6 +131,7 @@ impl Report {
             stretches: recording.stretches.len(),
             duration: last - first,
             median_period: recording.period,
+            mean_period: recording.mean_period(),
             mass: device.mass(),
             damping: device.damping(),
             stiffness: device.stiffness(),

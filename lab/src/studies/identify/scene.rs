@@ -6,6 +6,9 @@ use super::estimate::Estimate;
 use super::report::Report;
 use crate::text::legible;
 
+/// Share of a tick by which a log may end after the last one.
+const ROUNDING: f64 = 1e-6;
+
 /// The scene that `report` tells, every fitted number with its interval.
 pub(super) fn toml(report: &Report) -> String {
     let mut text = String::new();
@@ -17,8 +20,10 @@ pub(super) fn toml(report: &Report) -> String {
 fn write(out: &mut String, report: &Report) -> std::fmt::Result {
     let name = legible(&report.log);
     writeln!(out, "# Fitted to {name}: mass, damping, spring and wall with their 95 % intervals.")?;
-    let (period, duration) = (tidy(report.median_period), tidy(report.duration));
-    let rate = tidy(period.recip());
+    let rate = tidy(tidy(report.mean_period).recip());
+    // Whole ticks, up to the log's last row or beyond it.
+    let ticks = (report.duration * rate - ROUNDING).ceil();
+    let duration = tidy(ticks / rate);
     writeln!(
         out,
         "# Look at x: it should follow the log.\nduration = {duration:?}\nservo_rate = {rate:?}"
