@@ -31,8 +31,9 @@ struct Cell<'a> {
     x: Span,
     y: Span,
     y_ticks: Ticks,
-    /// Room to the left of the frame, for numbers and label.
-    gutter: f64,
+    /// Room to the left of the frame for the label, and for what the numbers leave out.
+    label: f64,
+    note: f64,
 }
 
 /// The division of the page into columns of equal width.
@@ -120,7 +121,11 @@ impl<'a> Grid<'a> {
 
     /// Room to the left of every frame of a column, so that the frames line up.
     fn gutter(&self, column: usize) -> f64 {
-        self.widest(column, |cell| cell.gutter).min(0.6 * self.cell_width)
+        // Labels stand beside the widest numbers of the column, whichever panel has these.
+        let label = self.widest(column, |cell| cell.label);
+        let numbers = self.numbers_width(column) + 8.0;
+        let note = self.widest(column, |cell| cell.note);
+        (label + numbers).max(note).min(0.6 * self.cell_width)
     }
 
     /// Width of the numbers of a column, so that the labels beside them line up.
@@ -186,9 +191,8 @@ impl<'a> Cell<'a> {
             rows => Ticks::named(rows),
         };
         let label = if panel.y_label.trim().is_empty() { 0.0 } else { LABEL_SIZE + 7.0 };
-        let numbers = axes::widest(&y_ticks, NUMBER_SIZE) + 8.0;
         let note = text::width(&y_ticks.note, NUMBER_SIZE, Weight::Regular) + 10.0;
-        Self { panel, x, y, gutter: (label + numbers).max(note), y_ticks }
+        Self { panel, x, y, y_ticks, label, note }
     }
 
     fn heading(&self, width: f64, is_shared: bool) -> Heading {

@@ -54,7 +54,7 @@ impl<N: Named> FromStr for Names<N> {
             return Ok(Self::default());
         }
         let mut named: Vec<N> = Vec::new();
-        for name in given.split(',') {
+        for name in given.split(',').map(str::trim) {
             match N::ALL.iter().copied().find(|one| one.name() == name) {
                 _ if name == "all" => return Err(NamesError::AllAndMore),
                 None => return Err(NamesError::unknown::<N>(name)),

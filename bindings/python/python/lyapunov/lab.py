@@ -142,7 +142,7 @@ def observe(
     log: str | os.PathLike[str],
     *,
     columns: str | None = None,
-    scale: Iterable[str] = (),
+    scale: str | Iterable[str] = (),
     candidate: str = "spring",
     damping: float | None = None,
     surface: float | None = None,
@@ -154,7 +154,7 @@ def observe(
     """When a recorded device generated energy, how much and in which contact.
 
     `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]"; `scale` gives factors to SI,
-    as in ["x=1e-3"]. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
+    as in "x=1e-3", or several in a list. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
     too. `contact`, N, is the force above which there is contact. With `stabilizers` and the `scene` that sets their numbers, what
     they would have done on the recorded motion.
     """
@@ -162,7 +162,7 @@ def observe(
         told = _lyapunov.observe(
             log,
             columns,
-            list(scale),
+            [scale] if isinstance(scale, str) else list(scale),
             candidate,
             damping,
             surface,

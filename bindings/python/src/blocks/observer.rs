@@ -15,7 +15,8 @@ type Inner = Observing<Candidate, lyapunov::Held, lyapunov::accumulators::Plain<
 /// Observed energy of a candidate, without a controller.
 ///
 /// `Observer(damping=0.0)` watches the port's energy with the credit of a damper of `damping` N·s/m that the device
-/// surely has; `Observer(candidate=it)` asks `it.decrease(sample)`, in joules, a method written in Python: slow.
+/// surely has; `Observer(candidate=it)` asks `it.decrease(sample)`, in joules, `sample.work` and what is
+/// credited besides, a method written in Python: slow.
 #[pyclass(module = "lyapunov")]
 #[derive(Debug)]
 pub(crate) struct Observer {

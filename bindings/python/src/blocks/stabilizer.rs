@@ -32,7 +32,7 @@ on_any_axes! {
 /// - `none`
 /// - `popc`: limit
 /// - `lolc`: limit, and damping that the device surely has, or `candidate=it`, an object whose method `decrease(sample)`
-///   returns joules: a call into Python on every tick, slow
+///   returns joules, `sample.work` and what it credits besides: a call into Python on every tick, slow
 /// - `popc-bounded`: limit, credit
 /// - `popc-windowed`, `popc-spread`, `popc-rising`: limit, ticks
 /// - `popc-threshold`: limit, velocity

@@ -107,13 +107,14 @@ impl FromStr for StabilizerNames {
     type Err = StabilizerNamesError;
 
     fn from_str(given: &str) -> Result<Self, StabilizerNamesError> {
+        let names = || given.split(',').map(str::trim);
         if given == "all" {
             return Ok(Self(StabilizerName::all().collect()));
         }
-        if given.split(',').any(|name| name == "all") {
+        if names().any(|name| name == "all") {
             return Err(StabilizerNamesError::AllAndMore);
         }
-        let named: Result<Vec<StabilizerName>, _> = given.split(',').map(str::parse).collect();
+        let named: Result<Vec<StabilizerName>, _> = names().map(str::parse).collect();
         Self::of(named.map_err(StabilizerNamesError::Unknown)?)
     }
 }

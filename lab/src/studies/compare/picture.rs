@@ -155,7 +155,9 @@ fn shared<'a>(outcomes: &[&'a Outcome], curves: &[fn(&Outcome) -> &Points]) -> V
 fn colours<'a>(outcomes: &[&'a Outcome]) -> Vec<Shared<'a>> {
     let all: [fn(&Outcome) -> &Points; 3] =
         [|it| &it.curves.position, |it| &it.curves.observed_energy, |it| &it.curves.force];
-    shared(outcomes, &all)
+    let mut outcomes = outcomes.to_vec();
+    outcomes.sort_by_key(|it| it.number);
+    shared(&outcomes, &all)
 }
 
 impl Drawing<'_> {
@@ -222,7 +224,8 @@ impl Drawing<'_> {
 
     /// The index of the colour of a curve.
     fn colour(&self, one: &Shared<'_>) -> usize {
-        self.colours.iter().position(|it| it.names.contains(&one.names[0])).unwrap_or(0)
+        let name = &&one.first.score.stabilizer[..];
+        self.colours.iter().position(|it| it.names.contains(name)).unwrap_or(0)
     }
 
     /// The range of the curves of `outcomes`, as far as they count among `all`.

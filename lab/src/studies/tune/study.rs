@@ -49,7 +49,9 @@ impl fmt::Display for TuneError {
                     "the objective `{}` needs {lacks}, which the scene has not",
                     term.name()
                 )?;
-                f.write_str("\n  = choose another with --objective")
+                let others = Term::ALL.into_iter().filter(|other| other != term).map(Term::name);
+                let others = others.collect::<Vec<_>>().join(", ");
+                write!(f, "\n  = choose others with --objective: {others}")
             }
             Self::Axes(conflict) => {
                 write!(f, "{}\n  = {}", conflict.problem(), conflict.remedy())

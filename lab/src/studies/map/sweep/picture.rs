@@ -54,8 +54,7 @@ impl Sweep {
         let figure = Figure::new(file_name(&self.name)).with_width(960.0).with_panel_height(230.0);
         let panels = CURVES.map(|(title, label, column)| {
             let curves = self.shared(column);
-            curves.into_iter().enumerate().fold(self.panel(title, label), |panel, (at, curve)| {
-                let (names, points) = curve;
+            curves.into_iter().fold(self.panel(title, label), |panel, (at, names, points)| {
                 // Between gaps a line would hide a single value.
                 let dots = points.len() <= MARKED;
                 let panel = panel.with_series(Series::line(names, at, points.clone()));
@@ -69,9 +68,10 @@ impl Sweep {
         panels.into_iter().fold(figure, Figure::with_panel)
     }
 
-    /// The curves of a column with some value, each with the names of all stabilizers that it belongs to.
-    fn shared(&self, column: Column) -> Vec<(String, Vec<(f64, f64)>)> {
-        let mut curves: Vec<(String, Vec<Option<f64>>)> = Vec::new();
+    /// The curves of a column with some value, each with the number of the first stabilizer that it belongs to and the names
+    /// of all.
+    fn shared(&self, column: Column) -> Vec<(usize, String, Vec<(f64, f64)>)> {
+        let mut curves: Vec<(usize, String, Vec<Option<f64>>)> = Vec::new();
         for (index, member) in self.stabilizers.iter().enumerate() {
             // A run that grows only shows how long it ran, and would flatten the others.
             let of =
@@ -80,9 +80,9 @@ impl Sweep {
             if values.iter().all(Option::is_none) {
                 continue;
             }
-            match curves.iter_mut().find(|(_, known)| *known == values) {
-                Some((names, _)) => *names += &format!(" = {member}"),
-                None => curves.push((member.name().to_owned(), values)),
+            match curves.iter_mut().find(|(.., known)| *known == values) {
+                Some((_, names, _)) => *names += &format!(" = {member}"),
+                None => curves.push((index, member.name().to_owned(), values)),
             }
         }
         let shown = Shown::of(&self.x);
@@ -90,7 +90,7 @@ impl Sweep {
             let points = self.points.iter().zip(values);
             points.map(|(at, value)| (shown.place(at.value), value.unwrap_or(f64::NAN))).collect()
         };
-        curves.into_iter().map(|(names, values)| (names, placed(values))).collect()
+        curves.into_iter().map(|(at, names, values)| (at, names, placed(values))).collect()
     }
 
     fn panel(&self, title: &str, of: &str) -> Panel {
