@@ -203,7 +203,7 @@ mod tests {
             assert_eq!(meter.extremes(SECOND, 0), rows(0.25, 0.5), "{last}");
             assert_eq!(meter.extremes(LAST_QUARTER, 0), rows(0.75, 1.0), "{last}");
             assert_eq!(meter.extremes(ALL, 0), [0.0, last as f64]);
-            for cycle in 0..=(last + 1) / 2 {
+            for cycle in 0..=last.div_ceil(2) {
                 let mut meter = Stretches::<f64>::recurring(last, cycle);
                 (0..=last).for_each(|row| meter.add(row as f64));
                 let length = |stretches| {

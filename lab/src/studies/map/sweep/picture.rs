@@ -25,6 +25,9 @@ const CURVES: [(&str, &str, Column); 4] = [
 /// Colours of the verdicts among [`PALETTE`].
 const VERDICTS: [usize; 4] = [2, 4, 1, 6];
 
+/// The number of the first stabilizer that a curve belongs to, the names of all, and its points.
+type Shared = (usize, String, Vec<(f64, f64)>);
+
 impl Sweep {
     /// The verdict at each value, a row for each stabilizer.
     pub fn verdicts(&self) -> Figure {
@@ -68,9 +71,8 @@ impl Sweep {
         panels.into_iter().fold(figure, Figure::with_panel)
     }
 
-    /// The curves of a column with some value, each with the number of the first stabilizer that it belongs to and the names
-    /// of all.
-    fn shared(&self, column: Column) -> Vec<(usize, String, Vec<(f64, f64)>)> {
+    /// The curves of a column with some value.
+    fn shared(&self, column: Column) -> Vec<Shared> {
         let mut curves: Vec<(usize, String, Vec<Option<f64>>)> = Vec::new();
         for (index, member) in self.stabilizers.iter().enumerate() {
             // A run that grows only shows how long it ran, and would flatten the others.
