@@ -8,9 +8,14 @@ use crate::axes::Axes;
 use crate::magnifier::arrange;
 use crate::*;
 
-/// The gallery, and a figure that is mostly text.
+/// The gallery, a figure that is mostly text, and one whose rows have longer names than its numbers have digits.
 pub(super) fn figures() -> impl Iterator<Item = (&'static str, Figure)> {
-    gallery().into_iter().chain([("wordy", wordy())])
+    let rows = vec!["gaps".to_owned(), "rows that nobody reads".to_owned()];
+    let curve = sampled(100, 1.0, |_, time| time * time);
+    let named = Figure::new("rows below numbers")
+        .with_panel(Panel::new("numbers", "time, s", "x").with_series(Series::line("", 0, curve)))
+        .with_panel(Panel::new("rows", "time, s", "").with_rows(rows));
+    gallery().into_iter().chain([("wordy", wordy()), ("rows", named)])
 }
 
 /// Every text of a drawing and the box around it.
@@ -115,6 +120,7 @@ fn drawings_are_as_they_were() {
             "crowded 3e0dbf9e1dfcaca3",
             "fields 574170df90860793",
             "wordy e1ba528a4882f431",
+            "rows d36b9669cdb83f2b",
         ]
     );
 }
