@@ -157,9 +157,10 @@ fn quarter(index: u64, last: u64) -> u64 {
     (index * (last + 1)).div_ceil(4)
 }
 
-/// Whether a quarter of a run is shorter than a cycle.
+/// Whether the second or the last quarter of a run is shorter than a cycle.
 pub(crate) fn exceeds_quarter(last: u64, cycle: u64) -> bool {
-    cycle > quarter(2, last) - quarter(1, last)
+    let [first, second, third] = [1, 2, 3].map(|index| quarter(index, last));
+    cycle > (second - first).min(last + 1 - third)
 }
 
 /// Whether the last tenth of a run is shorter than a cycle.
@@ -217,7 +218,7 @@ mod tests {
                 if last >= 20 {
                     assert_eq!(meter.extremes(LAST_TENTH, 0)[1], last as f64);
                 }
-                if 4 * cycle <= last {
+                if cycle <= (last + 1) / 4 && last >= 3 {
                     assert_eq!(meter.extremes(SECOND, 0), rows(0.25, 0.5), "{last} {cycle}");
                 }
             }
