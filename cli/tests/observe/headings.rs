@@ -96,7 +96,7 @@ fn units_words_and_commas_give_the_identical_report() {
     for (units, words) in [
         ("ms,mm,lbf", &["log.csv:2: `lbf` is no unit of force", "--scale f=1e-3"][..]),
         ("sec,mm,N", &["`sec` is no unit of time"]),
-        ("ms,mm,N,mm/s", &["has 4 fields, and the names are 3"]),
+        ("ms,mm,N,mm/s", &["a line of units without the fields of the names"]),
     ] {
         let ended = observe(text.replacen('\n', &format!("\n{units}\n"), 1).as_bytes(), &[]);
         let said = |word: &&str| ended.error.contains(&word.replace("log.csv", "standard input"));

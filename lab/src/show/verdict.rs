@@ -86,10 +86,13 @@ impl Summary {
         let (last, cycle) = (self.scene.ticks(), self.fate.criterion(0).cycle);
         let period = format!("{} s", found(self.scene.period() * cycle as f64));
         match verdict {
-            Verdict::Grows if exceeds_quarter(last, cycle) => {
-                format!("up to {end} in the last {period}, {second} in as long before")
+            Verdict::Grows => {
+                let (part, before) = match exceeds_quarter(last, cycle) {
+                    true => (&period[..], "as long before"),
+                    false => ("quarter", "the second"),
+                };
+                format!("up to {end} in the last {part}, {second} in {before}")
             }
-            Verdict::Grows => format!("up to {end} in the last quarter, {second} in the second"),
             _ => {
                 let (tail, widest) = (told(sizes.tail), told(sizes.widest));
                 let part = if exceeds_tenth(last, cycle) { period } else { "tenth".to_owned() };

@@ -115,10 +115,7 @@ impl BadRows {
     /// Remedy for the most frequent kind.
     pub fn remedy(&self) -> Option<&'static str> {
         let kinds = [
-            (
-                self.fields,
-                "every row needs as many fields as the first line, parted by the same sign; is it cut off?",
-            ),
+            (self.fields, "every row needs as many fields as the first line; is it cut off?"),
             (
                 self.numbers,
                 "write numbers as 0.5 or 5e-1, all with a point or, between semicolons or tabs, all with a comma; \

@@ -1,6 +1,5 @@
 //! Head of a log: the names of its columns, or its first row.
 
-use std::collections::VecDeque;
 use std::io::Read;
 
 use super::blank;
@@ -10,14 +9,13 @@ use super::fields::{BLANK, Fields, delimiter};
 use super::layout::Layout;
 use super::lines::{Lines, Next};
 
-/// The most comments that are kept below one that may hold the names.
-const COMMENTS: usize = 64;
-
-/// Layout of a log, and the lines below its names that had to be read to find it, each with its number; the first row where there
-/// are no names.
+/// Layout of a log, and what had to be read below its names to find it.
 pub(super) struct Head {
     pub(super) layout: Layout,
-    pub(super) below: VecDeque<(u64, Vec<u8>)>,
+    /// The comment right below the names, with the number of its line.
+    pub(super) below: Option<(u64, Vec<u8>)>,
+    /// The first row; empty where it was not read.
+    pub(super) first: Vec<u8>,
 }
 
 impl Head {
@@ -55,31 +53,25 @@ impl Head {
             let Some(comment) = line.strip_prefix(b"#") else {
                 let fields = Fields::new(line, BLANK).count();
                 let fits = |it: &Self| delimiter(line) == BLANK && it.layout.width == fields;
-                let (mut head, is_row) = match found.filter(fits) {
-                    Some(head) => (head, true),
+                return match found.filter(fits) {
+                    Some(head) => Ok(Self { first: line.to_vec(), ..head }),
                     None => {
                         let layout = Layout::of(line, columns, name, at)?;
-                        let is_row = layout.is_row;
-                        (Self { layout, below: VecDeque::new() }, is_row)
+                        let first = if layout.is_row { line.to_vec() } else { Vec::new() };
+                        Ok(Self { layout, below: None, first })
                     }
                 };
-                if is_row {
-                    head.below.push_back((at, line.to_vec()));
-                }
-                return Ok(head);
             };
             let named = (!columns.numbered()).then(|| Layout::of(comment, columns, name, at));
             match (named, &mut found) {
                 (Some(Ok(layout)), _) => {
-                    let head = Self { layout, below: VecDeque::new() };
+                    let head = Self { layout, below: None, first: Vec::new() };
                     if head.layout.delimiter != BLANK {
                         return Ok(head);
                     }
                     found = Some(head);
                 }
-                (_, Some(head)) if head.below.len() < COMMENTS => {
-                    head.below.push_back((at, line.to_vec()));
-                }
+                (_, Some(Self { below: below @ None, .. })) => *below = Some((at, line.to_vec())),
                 _ => {}
             }
         }

@@ -56,7 +56,7 @@ impl<R: Read> Log<R> {
         scales: &[Scale],
     ) -> Result<Self, LogError> {
         let mut lines = Lines::new(reader);
-        let Head { layout, mut below } = Head::read(&mut lines, name, columns)?;
+        let Head { layout, below, mut first } = Head::read(&mut lines, name, columns)?;
         let (mut factors, mut scaled) = ([1.0; 4], [false; 4]);
         for Scale { role, factor } in scales {
             factors[role.index()] *= factor;
@@ -66,23 +66,20 @@ impl<R: Read> Log<R> {
         let scaled = std::array::from_fn(|at| scaled[at] && factors[at] != -1.0);
         let (mut read, mut powers) = layout.units(name, &scaled)?;
         let has_velocity = columns.has(Role::V);
-        let (mut first, mut pending, mut has_units) = (Vec::new(), None, layout.is_row);
-        loop {
-            let (next, at, line) = match below.pop_front() {
-                Some((at, line)) => (Next::Line, at, line),
-                None if pending.is_some() || has_units && !layout.is_row => break,
-                None => {
-                    let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
-                    (next, lines.number(), lines.text().to_vec())
-                }
-            };
-            if next == Next::Line
-                && !has_units
-                && take_units(&layout, &line, (name, at), &scaled, &mut read, &mut powers)?
-            {
-                has_units = true;
-            } else if next != Next::Line || !(blank(&line) || line.starts_with(b"#")) {
-                (first, pending) = (line, Some(next));
+        let mut take = |line: &[u8], at| {
+            take_units(&layout, line, (name, at), &scaled, &mut read, &mut powers)
+        };
+        let mut has_units = match &below {
+            Some((at, comment)) => take(comment, *at)?,
+            None => false,
+        };
+        let mut pending = (!first.is_empty()).then_some(Next::Line);
+        while pending.is_none() && !has_units {
+            let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
+            let line = lines.text();
+            has_units = next == Next::Line && take(line, lines.number())?;
+            if next != Next::Line || !(has_units || blank(line) || line.starts_with(b"#")) {
+                (first, pending) = (line.to_vec(), Some(next));
             }
         }
         let row = RowReader::new(layout, factors, powers, has_velocity);

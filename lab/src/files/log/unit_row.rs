@@ -31,11 +31,8 @@ pub(super) fn take_units(
         return Ok(false);
     }
     let Ok(picked) = layout.pick(text) else {
-        let (found, expected) = (fields().count(), layout.width);
-        let message =
-            format!("this line of units has {found} fields, and the names are {expected}");
-        return Err(LogError::at(name, at, message)
-            .with_help("give each column its unit, or take the line out"));
+        return Err(LogError::at(name, at, "a line of units without the fields of the names")
+            .with_help("give each column its unit"));
     };
     for column in columns {
         let index = column.role.index();
@@ -46,24 +43,15 @@ pub(super) fn take_units(
         let unit = Unit::alone(field, column.role);
         match unit.filter(|unit| column.unit.is_none() || unit.power() == powers[index]) {
             Some(unit) => (powers[index], column.unit) = (unit.power(), Some(unit.symbol())),
-            None => return Err(refused(name, at, column, field)),
+            None => {
+                let written = shorten(&String::from_utf8_lossy(field));
+                let message = format!(
+                    "`{written}` is no unit of {}, or not the one of its name",
+                    column.role.quantity()
+                );
+                return Err(LogError::at(name, at, message).with_help(Unit::remedy(column.role)));
+            }
         }
     }
     Ok(true)
-}
-
-fn refused(name: &str, at: u64, column: &Column, field: &[u8]) -> LogError {
-    let (letter, written) = (column.role.letter(), shorten(&String::from_utf8_lossy(field)));
-    let help = Unit::remedy(column.role);
-    match (Unit::alone(field, column.role), column.unit) {
-        (Some(_), Some(unit)) => {
-            let message =
-                format!("the unit of {letter} is `{written}` here, and {unit} in its name");
-            LogError::at(name, at, message).with_help(help)
-        }
-        _ => {
-            let message = format!("`{written}` is no unit of {}", column.role.quantity());
-            LogError::at(name, at, message).with_help(help)
-        }
-    }
 }

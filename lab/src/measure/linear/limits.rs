@@ -44,12 +44,8 @@ impl Limits {
         let within = sound.filter(|part| soft(part).is_finite());
         let range = within.map(|part| part.stable_stiffness().unwrap_or([0.0, 0.0]));
         let mut notes = notes(scene, part, range);
-        if within.is_none() && part.is_ok() {
+        if spectral_radius.is_none() && part.is_ok() {
             notes.push("the loop is out of the range of the numbers".to_owned());
-        } else if spectral_radius.is_none() && part.is_ok() {
-            notes.push(
-                "at its own stiffness the loop is out of the range of the numbers".to_owned(),
-            );
         }
         Self {
             stiffness: scene.environment.kind().impedance().map(|it| it.stiffness),

@@ -148,12 +148,13 @@ impl LoopMap {
 
     /// The sum of the sizes of all terms of the value, a little further from 0 than `w`: at a root there only one is left.
     fn size(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> f64 {
-        let (z, w) = (libm::hypot(1.0 + w.re, w.im), libm::hypot(w.re, w.im) + NEAR);
+        let z = (Complex::from(1.0) + w).norm_sqr().sqrt();
+        let w = w.norm_sqr().sqrt() + NEAR;
         let sum = |it: &Polynomial| {
             let sizes = it.coefficients().iter().map(|it| f64::from(*it).abs());
             sizes.rev().fold(0.0, |sum, size| sum * w + size)
         };
-        libm::pow(z, f64::from(delay)) * sum(&self.plant) + sum(answer)
+        num_traits::pow(z, delay as usize) * sum(&self.plant) + sum(answer)
     }
 
     fn long_value(&self, answer: &Polynomial, delay: u32, w: Complex<f64>) -> Complex<f64> {
@@ -179,7 +180,9 @@ impl LoopMap {
 /// `one / other`, whose squares may be out of range.
 fn ratio(one: Complex<f64>, other: Complex<f64>) -> Complex<f64> {
     let size = other.re.abs().max(other.im.abs());
-    let by = if size.is_normal() { libm::scalbn(1.0, -libm::ilogb(size)) } else { 1.0 };
+    // A power of two, which changes no digit.
+    let exponent = size.to_bits() >> 52;
+    let by = f64::from_bits(0x7fe_u64.saturating_sub(exponent).max(1) << 52);
     one * by / (other * by)
 }
 

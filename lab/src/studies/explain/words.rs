@@ -181,8 +181,7 @@ impl fmt::Display for Told<'_> {
         if changes.iter().any(|(key, _)| key == "servo_rate") && scene.delay_ticks() > 0 {
             let ticks = scene.delay_ticks();
             let last = found(1e3 * scene.period() * f64::from(ticks));
-            let ticks = if ticks == 1 { "1 tick".to_owned() } else { format!("{ticks} ticks") };
-            write!(f, "\n    with the delay still of {ticks}, which then lasts {last} ms")?;
+            write!(f, "\n    with the delay still in ticks, {ticks}: {last} ms")?;
         }
         Ok(())
     }
