@@ -45,29 +45,39 @@ impl Fits for usize {
     }
 }
 
-/// Readers of the arguments with these names.
+/// The same of 1 or more.
+fn count<'py, T>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<T>
+where
+    T: Fits + Default + PartialEq + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    match whole::<T>(value, name)? {
+        none if none == T::default() => {
+            Err(errors::input(format!("{name} is 0; it must be 1 or more")))
+        }
+        count => Ok(count),
+    }
+}
+
+/// Readers of the arguments with these names, whole numbers or counts.
 macro_rules! arguments {
-    ($($name:ident: $type:ty),+ $(,)?) => {$(
+    ($read:ident of $($name:ident: $type:ty),+ $(,)?) => {$(
         pub(crate) fn $name(value: &Bound<'_, PyAny>) -> PyResult<$type> {
-            whole(value, stringify!($name))
+            $read(value, stringify!($name))
         }
     )+};
 }
 
-arguments!(axes: usize, delay: u32, loops: usize, members: u64, seed: u64, ticks: u64);
+arguments!(whole of axes: usize, delay: u32, seed: u64, ticks: u64);
+arguments!(count of loops: usize, members: u64);
 
 /// Readers of the arguments with these names, which may be left out.
 macro_rules! choices {
-    ($($reader:ident $name:literal: $type:ty),+ $(,)?) => {$(
+    ($read:ident of $($reader:ident $name:literal: $type:ty),+ $(,)?) => {$(
         pub(crate) fn $reader(value: &Bound<'_, PyAny>) -> PyResult<Option<$type>> {
-            (!value.is_none()).then(|| whole(value, $name)).transpose()
+            (!value.is_none()).then(|| $read(value, $name)).transpose()
         }
     )+};
 }
 
-choices!(
-    runs_if_any "runs": u32,
-    seed_if_any "seed": u64,
-    threads_if_any "threads": usize,
-    trials_if_any "trials": u32,
-);
+choices!(whole of runs_if_any "runs": u32, seed_if_any "seed": u64, trials_if_any "trials": u32);
+choices!(count of threads_if_any "threads": usize);

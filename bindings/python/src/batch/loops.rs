@@ -85,9 +85,6 @@ impl Batch {
         no_faster_than: Option<f64>,
     ) -> PyResult<Self> {
         let recipe = &stabilizer.recipe;
-        if loops == 0 {
-            return Err(errors::input("loops is 0; it must be 1 or more"));
-        }
         if recipe.object.is_some() {
             return Err(errors::input(
                 "a candidate written in Python runs in one loop at a time\n  = call the Stabilizer of each loop, or credit a damping",

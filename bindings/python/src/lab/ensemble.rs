@@ -29,9 +29,6 @@ pub(crate) fn ensemble(
     stiffness: Option<f64>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
-    if count == 0 {
-        return Err(errors::input("members is 0; it must be 1 or more"));
-    }
     let Scene { scene, name } = scene.get().clone();
     let who: Option<StabilizerName> =
         stabilizer.map(str::parse).transpose().map_err(errors::input)?;

@@ -29,9 +29,6 @@ pub(crate) fn map(
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
     let x: Axis = x.parse().map_err(errors::input)?;
-    if threads == Some(0) {
-        return Err(errors::input("threads is 0; it must be 1 or more"));
-    }
     let names: StabilizerNames = stabilizers.parse().map_err(errors::input)?;
     match y {
         None => {

@@ -43,7 +43,7 @@ pub(crate) struct Log<R> {
     columns: Vec<Column>,
     /// The first row, where it was read while the log was opened.
     first: Vec<u8>,
-    /// What it is.
+    /// The kind of that row until it is told.
     pending: Option<Next>,
 }
 
