@@ -86,10 +86,10 @@ fn a_remedy_put_into_the_file_ends_what_grows() {
     let told: Value = serde_json::from_str(&said).unwrap();
     let mut set = told["remedies"].as_array().unwrap().iter().map(|it| &it["set"]);
     let faster = set.find_map(|set| set["servo_rate"].as_f64()).unwrap();
-    let lasts = format!("with the delay still in ticks, 2: {:.4}", 2e3 / faster);
+    let lasts = format!("its delay is then {:.4}", 2e3 / faster);
     let explained = place.run(["explain", "late.toml"]);
     explained.ended(0, &[lasts.trim_end_matches('0')]);
-    assert_eq!(explained.out.matches("with the delay").count(), 1);
+    assert_eq!(explained.out.matches("its delay is then").count(), 1);
 }
 
 #[test]

@@ -13,7 +13,7 @@ pub(crate) use checksum::Checksum;
 pub use excerpt::legible;
 pub(crate) use excerpt::shorten;
 pub(crate) use file_name::file_name;
-pub(crate) use numbers::{found, given};
+pub(crate) use numbers::{found, given, near_one};
 pub use shell::shell_word;
 pub(crate) use suggest::nearest;
 pub(crate) use words::{folded, listed, shortened_names};

@@ -7,6 +7,11 @@ pub(crate) fn found(value: f64) -> Number {
     Number { value, digits: 4 }
 }
 
+/// A number that is compared with 1, to so many decimals; a large one to the digits that matter.
+pub(crate) fn near_one(value: f64, decimals: usize) -> String {
+    if value < 100.0 { format!("{value:.decimals$}") } else { found(value).to_string() }
+}
+
 /// A number from the scene, or a time: close to the written value, and still short.
 pub(crate) fn given(value: f64) -> Number {
     Number { value, digits: 9 }

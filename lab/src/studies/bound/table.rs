@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::measure::Limits;
 use crate::show::table::{Heading, Table};
-use crate::text::{folded, found, given};
+use crate::text::{folded, found, given, near_one};
 
 impl fmt::Display for Limits {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -25,7 +25,7 @@ pub(super) fn lines(limits: &Limits) -> String {
         .map_or_else(|| "none".to_owned(), |own| format!("{} N/m in the scene", given(own)));
     let radius = limits.spectral_radius.map_or_else(
         || "none".to_owned(),
-        |radius| format!("{} in contact{}", digits(radius), word(radius)),
+        |radius| format!("{} in contact{}", near_one(radius, 10), word(radius)),
     );
     format!("  stiffness    {own}\n  radius       {radius}\n")
 }
@@ -58,11 +58,6 @@ impl Limits {
             Some(own) => format!("{} times too stiff", found(own / limit)),
         }
     }
-}
-
-/// Ten decimals, which tell a radius from 1; of a large one the first digits.
-fn digits(radius: f64) -> String {
-    if radius < 100.0 { format!("{radius:.10}") } else { found(radius).to_string() }
 }
 
 fn word(radius: f64) -> &'static str {

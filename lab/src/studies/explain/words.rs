@@ -8,7 +8,7 @@ use crate::measure::{Balance, Verdict};
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
-use crate::text::{folded, found, given};
+use crate::text::{folded, found, given, near_one};
 
 /// Energies are reported in thousandths of a joule.
 const MILLI: f64 = 1e3;
@@ -65,8 +65,7 @@ impl Explanation {
             let what = if radius < 1.0 { "stable" } else { "not stable" };
             let alone =
                 if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
-            let radius =
-                if radius < 100.0 { format!("{radius:.8}") } else { found(radius).to_string() };
+            let radius = near_one(radius, 8);
             writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius}")?;
         }
         if self.scene.dimensions() > 1 {
@@ -179,9 +178,8 @@ impl fmt::Display for Told<'_> {
         write!(f, "peak force {peak} N, off the wall's own force by {error} N (rms)")?;
         // A delay is a number of ticks, which another rate makes shorter.
         if changes.iter().any(|(key, _)| key == "servo_rate") && scene.delay_ticks() > 0 {
-            let ticks = scene.delay_ticks();
-            let last = found(1e3 * scene.period() * f64::from(ticks));
-            write!(f, "\n    with the delay still in ticks, {ticks}: {last} ms")?;
+            let late = scene.period() * f64::from(scene.delay_ticks());
+            write!(f, "\n    its delay is then {} ms, as many ticks as before", found(1e3 * late))?;
         }
         Ok(())
     }
