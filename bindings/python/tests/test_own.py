@@ -43,3 +43,51 @@ def test_a_block_runs_in_a_scene_by_its_name_and_numbers():
     assert of.pop("own") == f'Stabilizer("popc", limit={limit})'
     assert of == named.document["stabilizer"]
     assert list(block.table["alpha"]) == list(named.table["alpha"])
+
+
+class Bare:
+    """A stabilizer that returns a force alone."""
+
+    def stabilize(self, sample, effort):
+        return 2.0
+
+
+@pytest.mark.parametrize("scene, axes", [("paper-50k-none", 1), ("sphere", 3)])
+def test_a_force_that_is_no_number_is_told_as_such(scene, axes):
+    """The run would seem to grow."""
+
+    class Lost:
+        def stabilize(self, sample, effort):
+            return ly.Correction(effort * float("nan"), axes=axes)
+
+    with pytest.raises(ValueError, match="whose effort is not a number"):
+        ly.run(ly.Scene.shipped(scene), stabilizer=Lost())
+
+
+@pytest.mark.parametrize(
+    "own, told",
+    [
+        ([Damper], "^own is list; give a dictionary"),
+        ({"mine": Damper()}, r"^own\[\"mine\"\] is Damper, which cannot be called"),
+        ({"mine": lambda: None}, "^what own made is NoneType; give"),
+        ({"mine": lambda: Damper}, "^what own made is the class Damper; give an object of it"),
+        ({"mine": Bare}, r"^stabilize\(sample, effort\) returned float; return a Correction"),
+    ],
+)
+def test_what_is_no_stabilizer_is_told_as_such(own, told):
+    with pytest.raises(TypeError, match=told):
+        ly.compare(ly.Scene.shipped("paper-50k-none"), stabilizers="none", own=own)
+
+
+@pytest.mark.parametrize(
+    "given, told",
+    [(["popc"], "^stabilizer is list; give a name"), (Damper, "^stabilizer is the class Damper; give an object of it")],
+)
+def test_a_run_takes_an_object_or_a_name(given, told):
+    with pytest.raises(TypeError, match=told):
+        ly.run(ly.Scene.shipped("paper-50k-none"), stabilizer=given)
+
+
+def test_a_name_is_not_empty():
+    with pytest.raises(ly.InputError, match="a name in own is empty"):
+        ly.compare(ly.Scene.shipped("paper-50k-none"), own={" ": Damper})

@@ -1,7 +1,7 @@
 """The compiled part."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Literal, Protocol, final, overload
 
 import numpy as np
@@ -316,7 +316,7 @@ def run(scene: Scene, stabilizer: object = None, progress: _Progress = None) -> 
 def compare(
     scenes: Sequence[Scene],
     stabilizers: str | None = None,
-    own: dict[str, Callable[[], Any]] | None = None,
+    own: Mapping[str, Callable[[], Any]] | None = None,
     by: str | None = None,
     progress: _Progress = None,
 ) -> Told: ...

@@ -75,7 +75,6 @@ def compare(
     """
     read = [_scene(scene) for scene in scenes]
     with shown(progress, "compare") as bar:
-        own = dict(own) if own is not None else None
         return Comparison(_lyapunov.compare(read, _names(stabilizers), own, by, bar))
 
 

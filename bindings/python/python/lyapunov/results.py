@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import html
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union
 
@@ -34,19 +36,22 @@ class Table:
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a DataFrame of pandas."""
-        import pandas
+        with _asked_for():
+            import pandas
 
         return pandas.DataFrame(self.table)
 
     def to_polars(self) -> polars.DataFrame:
         """The table as a DataFrame of Polars."""
-        import polars
+        with _asked_for():
+            import polars
 
         return polars.DataFrame(self.table)
 
     def to_arrow(self) -> pyarrow.Table:
         """The table as one of Arrow."""
-        import pyarrow
+        with _asked_for():
+            import pyarrow
 
         return pyarrow.table(self.table)
 
@@ -107,6 +112,16 @@ class Result(Table):
         return f"<pre>{html.escape(str(self))}</pre>{first}{self._rows_in_html()}"
 
 
+@contextmanager
+def _asked_for() -> Iterator[None]:
+    """Says of a package that is not there how it is installed."""
+    try:
+        yield
+    except ModuleNotFoundError as missing:
+        remedy = f"{missing}; install it with `pip install {missing.name}`"
+        raise ModuleNotFoundError(remedy, name=missing.name) from None
+
+
 def _cell(value: Any) -> str:
     if isinstance(value, str):
         return f"<td>{html.escape(value)}</td>"
@@ -116,7 +131,8 @@ def _cell(value: Any) -> str:
 def _axes(ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
     if ax is not None:
         return ax
-    import matplotlib.pyplot
+    with _asked_for():
+        import matplotlib.pyplot
 
     return matplotlib.pyplot.figure(layout="constrained").subplots()
 

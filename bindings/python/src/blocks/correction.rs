@@ -101,7 +101,8 @@ impl Correction {
         with_axes!(axes, AnyCorrection, V => stored::read::<Corrected<V>>(bytes)?).map(Self)
     }
 
-    fn __repr__(&self) -> String {
+    #[pyo3(name = "__repr__")]
+    pub(super) fn told(&self) -> String {
         whatever_axes!(&self.0, AnyCorrection, it => format!(
             "Correction(effort={}, observed_energy={:?}, alpha={:?}, shortfall={:?}, accepted={}{})",
             shown(&it.effort),

@@ -6,8 +6,9 @@ use lyapunov::ParameterError;
 use lyapunov_lab::compare::{Column, CompareError, Comparison, Entrants, csv, document};
 use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::{Space, in_space, in_space_of, scene as lab};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::PyMapping;
 
 use super::columns::Columns;
 use super::run::in_f64;
@@ -27,7 +28,7 @@ pub(crate) fn compare(
     py: Python<'_>,
     scenes: Vec<Bound<'_, Scene>>,
     stabilizers: Option<&str>,
-    own: Option<&Bound<'_, PyDict>>,
+    own: Option<&Bound<'_, PyAny>>,
     by: Option<&str>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
@@ -40,16 +41,7 @@ pub(crate) fn compare(
         None => StabilizerNames::standard(),
     };
     let column: Option<Column> = by.map(str::parse).transpose().map_err(errors::input)?;
-    let mut entrants: Vec<Own> = Vec::new();
-    for (name, make) in own.into_iter().flatten() {
-        let name: String = name.extract()?;
-        if names.iter().any(|known| known.name() == name) {
-            return Err(errors::input(format!(
-                "`{name}` is a stabilizer of the family that takes part\n  = give your own another name"
-            )));
-        }
-        entrants.push((name, Arc::new(make.unbind())));
-    }
+    let entrants = own.map_or_else(|| Ok(Vec::new()), |own| one_s_own(own, &names))?;
     let each = |scene: &Scene| (scene.scene.ticks() + 1) * (names.len() + entrants.len()) as u64;
     let total = scenes.iter().map(each).sum();
     wait(py, progress, total, move |watched| {
@@ -70,6 +62,36 @@ pub(crate) fn compare(
             ..Told::default()
         })
     })
+}
+
+/// What makes stabilizers written in Python, by their names.
+fn one_s_own(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own>> {
+    let Ok(mapping) = given.cast::<PyMapping>() else {
+        return Err(PyTypeError::new_err(format!(
+            "own is {}; give a dictionary of what makes a stabilizer, such as its class, by name",
+            given.get_type().name()?
+        )));
+    };
+    let mut entrants: Vec<Own> = Vec::new();
+    for item in mapping.items()? {
+        let (name, make): (String, Bound<'_, PyAny>) = item.extract()?;
+        if name.trim().is_empty() {
+            return Err(errors::input("a name in own is empty\n  = give your own a name"));
+        }
+        if names.iter().any(|known| known.name() == name) {
+            return Err(errors::input(format!(
+                "`{name}` is a stabilizer of the family that takes part\n  = give your own another name"
+            )));
+        }
+        if !make.is_callable() {
+            return Err(PyTypeError::new_err(format!(
+                "own[{name:?}] is {}, which cannot be called; give what makes a fresh stabilizer for each run, such as its class",
+                make.get_type().name()?
+            )));
+        }
+        entrants.push((name, Arc::new(make.unbind())));
+    }
+    Ok(entrants)
 }
 
 /// The columns of words in a table of scores, and in front of it.
@@ -111,7 +133,10 @@ fn entered<V: Space + Axes>(
 /// A stabilizer of its own for a run.
 fn fresh(make: &Py<PyAny>, raised: &Raised) -> PythonStabilizer {
     Python::attach(|py| {
-        let made = make.call0(py).unwrap_or_else(|error| {
+        let made = make.call0(py).and_then(|made| {
+            PythonStabilizer::check(made.bind(py), "what own made").map(|()| made)
+        });
+        let made = made.unwrap_or_else(|error| {
             raised.keep(error);
             py.None()
         });

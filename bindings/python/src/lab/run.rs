@@ -43,7 +43,10 @@ pub(crate) fn run(
         None => By::Scene,
         Some(given) => match given.extract::<String>() {
             Ok(name) => By::Name(name.parse().map_err(errors::input)?),
-            Err(_) => By::Python(given.clone().unbind(), Raised::default()),
+            Err(_) => {
+                PythonStabilizer::check(given, "stabilizer")?;
+                By::Python(given.clone().unbind(), Raised::default())
+            }
         },
     };
     wait(py, progress, scene.ticks(), move |watched| told(&scene, &name, &by, watched))

@@ -61,6 +61,9 @@ impl Explanation {
     fn write_verdict(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let by = by_speed(&self.scene).map_or_else(String::new, |by| format!(", {by}"));
         writeln!(f, "  verdict      {}{by}", self.verdict)?;
+        if self.peak_force != 0.0 && self.verdict.is_bounded() {
+            writeln!(f, "  this run     {}", Felt(self.peak_force, self.force_error))?;
+        }
         if let Some(radius) = self.limits.spectral_radius {
             let what = if radius < 1.0 { "stable" } else { "not stable" };
             let alone =
@@ -160,6 +163,21 @@ const LINES: [(&str, Of); 15] = [
     ("left  to rounding", |it| it.closing),
 ];
 
+/// Largest force of a run, and the error of its force.
+struct Felt(f64, f64);
+
+impl fmt::Display for Felt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(peak, error) = self;
+        write!(
+            f,
+            "peak force {} N, off the wall's own force by {} N (rms)",
+            found(*peak),
+            found(*error)
+        )
+    }
+}
+
 /// Remedy in a line.
 pub(super) struct Told<'a>(pub(super) &'a Remedy);
 
@@ -174,8 +192,7 @@ impl fmt::Display for Told<'_> {
         if *peak_force == 0.0 {
             return write!(f, "no force acts: the environment is not touched any more");
         }
-        let [peak, error] = [peak_force, force_error].map(|force| found(*force));
-        write!(f, "peak force {peak} N, off the wall's own force by {error} N (rms)")?;
+        write!(f, "{}", Felt(*peak_force, *force_error))?;
         // A delay is a number of ticks, which another rate makes shorter.
         if changes.iter().any(|(key, _)| key == "servo_rate") && scene.delay_ticks() > 0 {
             let late = scene.period() * f64::from(scene.delay_ticks());

@@ -220,7 +220,7 @@ fn with_unit(claim: &Claim, value: Option<f64>) -> String {
 fn verdict(judged: &Judged) -> Cell {
     let class = match judged.verdict {
         Verdict::Reproduced => "yes",
-        Verdict::DependsOn(_) => "open",
+        Verdict::DependsOn(_) | Verdict::TooFew => "open",
         Verdict::NotReproduced => "no",
     };
     let (words, word) = (judged.verdict.to_string(), judged.verdict.word());

@@ -143,11 +143,15 @@ impl fmt::Display for Study {
             f,
             "The paper's section IV over {count} draws of what it does not state (seed {seed})\n"
         )?;
-        writeln!(f, "{}\n{}", self.verdicts(), self.influences())?;
-        let depending = || self.claims.iter().filter(|claim| is_open(claim));
+        write!(f, "{}", self.verdicts())?;
+        let depending = self.claims.iter().filter(|claim| is_open(claim));
+        let mut influences = depending.flat_map(|claim| &claim.ours.influences).peekable();
+        if influences.peek().is_none() {
+            return Ok(());
+        }
+        writeln!(f, "\n{}", self.influences())?;
         let named = |unstated: &Unstated| {
-            let mut influences = depending().flat_map(|claim| &claim.ours.influences);
-            influences.any(|influence| influence.constant == unstated.name())
+            influences.clone().any(|influence| influence.constant == unstated.name())
         };
         let mut named = Unstated::ALL.into_iter().filter(named);
         named.try_for_each(|it| writeln!(f, "{}: {}", it.name(), it.order()))

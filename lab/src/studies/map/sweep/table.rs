@@ -11,6 +11,9 @@ use crate::text::given;
 /// The most rows that the terminal shows.
 const SHOWN: usize = 60;
 
+/// The most stretches of a row that are told.
+const STRETCHES: usize = 3;
+
 /// The columns of the runs.
 const COLUMNS: [Column; 6] = [
     Column::Verdict,
@@ -22,7 +25,7 @@ const COLUMNS: [Column; 6] = [
 ];
 
 impl Sweep {
-    /// For each stabilizer the values of each verdict, and the value up to which its runs stay bounded.
+    /// For each stabilizer how many values have each verdict, and on which stretches of values its runs stay bounded.
     pub(super) fn counts(&self) -> Table {
         let headings = [
             Heading::word("stabilizer"),
@@ -30,19 +33,31 @@ impl Sweep {
             Heading::number("swinging"),
             Heading::number("grows"),
             Heading::number("too short"),
-            Heading::number("bounded up to"),
+            Heading::number("bounded at"),
         ];
         let rows = self.stabilizers.iter().enumerate().map(|(index, member)| {
             let verdicts = || self.points.iter().map(|point| point.scores[index].verdict);
             let count = |it: Verdict| verdicts().filter(|verdict| *verdict == it).count();
-            let reach = verdicts().take_while(|verdict| *verdict != Verdict::Grows).count();
-            let bounded =
-                (0..reach).rev().find(|at| self.points[*at].scores[index].verdict.is_bounded());
-            let last = bounded.map(|at| given(self.points[at].value).to_string());
             let counts = Verdict::ALL.map(|verdict| count(verdict).to_string().into());
-            std::iter::once(member.name().into()).chain(counts).chain([last.into()])
+            std::iter::once(member.name().into()).chain(counts).chain([self.bounded(index).into()])
         });
         Table::new(headings).with_rows(rows.map(Iterator::collect::<Vec<_>>))
+    }
+
+    /// The stretches of neighbouring values whose runs under stabilizer `index` all stay bounded.
+    fn bounded(&self, index: usize) -> Option<String> {
+        let is_bounded = |at: &usize| self.points[*at].scores[index].verdict.is_bounded();
+        let bounded: Vec<usize> = (0..self.points.len()).filter(is_bounded).collect();
+        let value = |at: usize| given(self.points[at].value);
+        let all = bounded.chunk_by(|at, next| at + 1 == *next).map(|stretch| match *stretch {
+            [first, .., last] => format!("{} to {}", value(first), value(last)),
+            _ => value(stretch[0]).to_string(),
+        });
+        let mut all: Vec<String> = all.collect();
+        let more = all.len().saturating_sub(STRETCHES);
+        all.truncate(STRETCHES);
+        all.extend((more > 0).then(|| format!("{more} more")));
+        (!all.is_empty()).then(|| all.join(", "))
     }
 
     /// A row for each value and stabilizer.

@@ -7,6 +7,10 @@ use super::member::{Member, Unstated};
 /// Least main effect of a constant that a verdict names.
 const LEAST: f64 = 0.05;
 
+/// How far beyond chance such an effect is, as a deviate of the standard normal distribution: 3e-5, for some hundred claims and
+/// constants.
+const DEVIATE: f64 = 4.0;
+
 /// A constant that moves a claim, and how.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Influence {
@@ -50,7 +54,7 @@ impl Influence {
     pub(super) fn all(holds: &[bool], members: &[Member]) -> Vec<Self> {
         let mut all: Vec<Self> =
             Unstated::ALL.iter().map(|unstated| Self::of(*unstated, holds, members)).collect();
-        all.retain(|influence| influence.effect >= LEAST);
+        all.retain(|it| it.effect >= LEAST.max(chance(&it.groups)));
         all.sort_by(|one, other| other.effect.total_cmp(&one.effect));
         all
     }
@@ -71,18 +75,31 @@ impl Influence {
 /// unbiased correlation ratio measure, *PNAS* 21(9), 1935). For a constant drawn by itself it estimates the first-order
 /// sensitivity index of Sobol; 0 where every member is alike.
 fn effect(groups: &[Group]) -> f64 {
-    let groups = || groups.iter().filter(|group| group.of > 0);
-    let (held, of) = groups().fold((0, 0), |sum, it| (sum.0 + it.held, sum.1 + it.of));
+    let filled = || groups.iter().filter(|group| group.of > 0);
+    let (held, of) = filled().fold((0, 0), |sum, it| (sum.0 + it.held, sum.1 + it.of));
     let share = held as f64 / of as f64;
     let total = of as f64 * share * (1.0 - share);
     let within: f64 =
-        groups().map(|it| it.held as f64 * (1.0 - it.held as f64 / it.of as f64)).sum();
-    let freedom = of as f64 - groups().count() as f64;
-    if total > 0.0 && freedom > 0.0 {
-        1.0 - within / total * (of as f64 - 1.0) / freedom
-    } else {
-        0.0
-    }
+        filled().map(|it| it.held as f64 * (1.0 - it.held as f64 / it.of as f64)).sum();
+    if total > 0.0 { corrected(within / total, groups).unwrap_or(0.0) } else { 0.0 }
+}
+
+/// ε² from the share of the variance that is within `groups`; none where each member is a group.
+fn corrected(within: f64, groups: &[Group]) -> Option<f64> {
+    let of = groups.iter().map(|group| group.of).sum::<usize>() as f64;
+    let freedom = of - groups.iter().filter(|group| group.of > 0).count() as f64;
+    (freedom > 0.0).then(|| 1.0 - within * (of - 1.0) / freedom)
+}
+
+/// The largest effect that chance gives such groups but for one case in many: Pearson's χ² of holding or not by group is the number
+/// of members times the share of the variance between the groups, and its quantile is that of Wilson and Hilferty (The
+/// distribution of chi-square, *PNAS* 17(12), 1931).
+fn chance(groups: &[Group]) -> f64 {
+    let of = groups.iter().map(|group| group.of).sum::<usize>() as f64;
+    let freedom = groups.iter().filter(|group| group.of > 0).count().saturating_sub(1) as f64;
+    let spread = 2.0 / (9.0 * freedom);
+    let quantile = freedom * (1.0 - spread + DEVIATE * spread.sqrt()).powi(3);
+    corrected(1.0 - quantile / of, groups).unwrap_or(f64::INFINITY)
 }
 
 #[cfg(test)]
@@ -107,6 +124,19 @@ mod tests {
         for alike in [&[(0, 9), (0, 9)][..], &[(9, 9), (9, 9)], &[(1, 2)], &[(0, 0)], &[]] {
             assert!(effect(&groups(alike)) <= 0.0);
         }
+    }
+
+    /// χ² of 7 degrees of freedom is above 32.58 as often as a normal deviate is above 4, once in 31 574 cases.
+    #[test]
+    fn chance_gives_few_members_large_effects() {
+        let eighths = |of| groups(&[(0, of); 8]);
+        let expected = |of: f64| 1.0 - (1.0 - 32.58 / of) * (of - 1.0) / (of - 8.0);
+        for of in [5, 125] {
+            let all = 8.0 * of as f64;
+            assert_abs_diff_eq!(chance(&eighths(of)), expected(all), epsilon = 1.0 / all);
+        }
+        assert!(chance(&eighths(125)) < LEAST);
+        assert_eq!(chance(&groups(&[(0, 1), (1, 1)])), f64::INFINITY);
     }
 
     fn named(holds: impl Fn(&Member) -> bool) -> Vec<&'static str> {

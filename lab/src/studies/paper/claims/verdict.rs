@@ -14,8 +14,11 @@ const NOT_REPRODUCED: f64 = 0.05;
 pub enum Verdict {
     /// The lower end of the interval is above 95 %.
     Reproduced,
-    /// Anything else: it depends on these constants, the strongest first; on none by itself if there are none.
+    /// It depends on these constants, the strongest first; on none by itself if there are none and the interval lies between
+    /// 5 and 95 %.
     DependsOn(Vec<&'static str>),
+    /// The interval holds 5 or 95 %, and no constant moves the claim.
+    TooFew,
     /// The upper end of the interval is below 5 %.
     NotReproduced,
 }
@@ -26,6 +29,8 @@ impl Verdict {
             Self::Reproduced
         } else if high < NOT_REPRODUCED {
             Self::NotReproduced
+        } else if influences.is_empty() && !(low > NOT_REPRODUCED && high < REPRODUCED) {
+            Self::TooFew
         } else {
             Self::DependsOn(influences.iter().map(|influence| influence.constant).collect())
         }
@@ -36,6 +41,7 @@ impl Verdict {
         match self {
             Self::Reproduced => "reproduced",
             Self::DependsOn(_) => "depends",
+            Self::TooFew => "too few draws",
             Self::NotReproduced => "not reproduced",
         }
     }
@@ -45,7 +51,7 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::DependsOn(constants) if constants.is_empty() => {
-                f.write_str("depends on no constant by itself")
+                f.write_str("depends on no constant that the draws show by itself")
             }
             Self::DependsOn(constants) => write!(f, "depends on {}", constants.join(", ")),
             _ => f.write_str(self.word()),
