@@ -11,6 +11,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { Browser } from "../scripts/chromium.mjs";
+import { range } from "./page/curves.js";
 
 const [file, program, chromium, tools, ...only] = process.argv.slice(2);
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");
@@ -58,8 +59,19 @@ async function rows(browser) {
   await closed(page);
 }
 
-/** The verdicts of the three loops of the page, as the command tells them of a scene. */
-const told = (path) => JSON.parse(lyapunov("compare", path, "--stabilizers", "none,popc,lolc-mass-spring-damper", "--json")).rows.map((it) => it.verdict);
+/** The verdicts of loops by their names, as the command tells them of a scene. */
+const told = (path, names) => JSON.parse(lyapunov("compare", path, "--stabilizers", names.join(","), "--json")).rows.map((it) => it.verdict);
+const cards = (page) => page.value("[...document.querySelectorAll('#verdicts .card')].map((it) => it.dataset.name)");
+/** Drops files, each a name and a text. */
+const drop = (page, files) =>
+  page.value(`(() => { const data = new DataTransfer();
+    for (const [name, text] of ${JSON.stringify(files)}) data.items.add(new File([text], name));
+    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+/** The text of the file that a button saves. */
+const saved = (page, button) =>
+  page.value(`(async () => { const was = URL.createObjectURL; let blob = null;
+    URL.createObjectURL = (it) => { blob = it; return was.call(URL, it); };
+    document.querySelector("${button}").click(); URL.createObjectURL = was; return blob.text(); })()`);
 
 /** Every shipped scene opens where it is dropped, with the command's words; only on a line a hand holds it. */
 async function dropped(browser) {
@@ -68,11 +80,13 @@ async function dropped(browser) {
   for (const name of readdirSync(folderOf).filter((it) => it.endsWith(".toml"))) {
     const text = readFileSync(join(folderOf, name), "utf8");
     const files = MOTIONS.filter((it) => text.includes(it)).map((it) => [it, readFileSync(join(folderOf, it), "utf8")]);
-    await page.value(`(() => { const data = new DataTransfer();
-      for (const [name, text] of ${JSON.stringify([...files, [name, text]])}) data.items.add(new File([text], name));
-      document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+    await drop(page, [...files, [name, text]]);
     await page.until(`document.querySelector('#done').textContent === ${JSON.stringify(`${name} is open.`)}`, 20);
-    assert.deepEqual(await verdicts(page), told(join("scenes", name)), name);
+    const names = await cards(page);
+    const candidate = text.match(/candidate = "(.*)"/)?.[1];
+    if (candidate) assert.equal(names[2], `lolc-${candidate}`, name);
+    assert.deepEqual(await verdicts(page), told(join("scenes", name), names), name);
+    assert.ok(!(await page.value("document.querySelector('#verdicts').textContent.includes('NaN')")), name);
     const isHeld = await page.value("!document.querySelector('#show-live').disabled");
     assert.equal(isHeld, !/^\[space\]/m.test(text), name);
   }
@@ -111,11 +125,9 @@ async function words(browser) {
   for (const [key, place] of [["environment.wall.stiffness", 0.2], ["environment.wall.stiffness", 0.95], ["servo_rate", 0.3], ["effects.delay.ticks", 0.2], ["effects.encoder.resolution", 0.7], ["device.mass", 0.9]]) {
     await slide(page, key, place);
     const shown = await verdicts(page);
-    const names = await page.value("[...document.querySelectorAll('#verdicts .card')].map((it) => it.dataset.name)");
     const [scene, path] = [await page.value("lyapunov.scene()"), join(folder, "scene.toml")];
     writeFileSync(path, scene);
-    const { rows: told } = JSON.parse(lyapunov("compare", path, "--stabilizers", names.join(","), "--json"));
-    assert.deepEqual(shown, told.map((it) => it.verdict), `${key} at ${place}\n${scene}`);
+    assert.deepEqual(shown, told(path, await cards(page)), `${key} at ${place}\n${scene}`);
     shown.forEach((word) => seen.add(word));
   }
   assert.ok(seen.has("grows") && seen.has("settles"), [...seen].join());
@@ -187,28 +199,67 @@ async function shared(browser) {
   await page.until("location.hash.includes('delay')");
   const other = await opened(browser, {}, await page.value("location.hash"));
   assert.equal(await other.value("lyapunov.scene()"), scene);
-  const tour = readFileSync(join(root, "scenes/friction.toml"), "utf8");
-  await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(tour)}], "friction.toml"));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await drop(other, [["friction.toml", readFileSync(join(root, "scenes/friction.toml"), "utf8")]]);
   await other.until("document.querySelector('#done').textContent.includes('friction.toml')");
   const dropped = join(folder, "dropped.toml");
   writeFileSync(dropped, await other.value("lyapunov.scene()"));
   assert.equal(lyapunov("run", dropped, "--csv", "-", "--quiet"), lyapunov("run", join(root, "scenes/friction.toml"), "--csv", "-", "--quiet"));
   const log = "scenes/logs/mujoco-wall.csv";
-  await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(readFileSync(join(root, log), "utf8"))}], ${JSON.stringify(log)}));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await drop(other, [[log, readFileSync(join(root, log), "utf8")]]);
   await other.until("document.querySelector('#done').textContent.includes('is a log')");
   assert.equal((await other.value("document.querySelector('#code').textContent")).trim(), lyapunov("observe", log).trim());
-  const motion = ["motion-file.toml", "motion-file.csv"].map((name) => `data.items.add(new File([${JSON.stringify(readFileSync(join(root, "scenes", name), "utf8"))}], "${name}"));`);
-  await other.value(`(() => { const data = new DataTransfer(); ${motion.join("")}
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await drop(other, ["motion-file.toml", "motion-file.csv"].map((name) => [name, readFileSync(join(root, "scenes", name), "utf8")]));
   await other.until("document.querySelector('#done').textContent.includes('motion-file.toml is open')");
   await other.until("document.querySelectorAll('#members tbody tr').length > 5 && !document.querySelector('#fault').textContent", 60);
-  await other.value(`(() => { const data = new DataTransfer(); data.items.add(new File(["duration = -1"], "bad.toml"));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
-  await other.until("document.querySelector('#done').textContent.includes('duration')");
+  await drop(other, [["bad.toml", "duration = 1\nservo_rate = -1"]]);
+  await other.until("document.querySelector('#done').textContent.includes('bad.toml:2:')");
   await closed(other);
   await closed(page);
+}
+
+/** What is taken along is the loop that is shown: files, an address under any choice, a scene's own stabilizer. */
+async function taken(browser) {
+  const page = await opened(browser);
+  const choose = (name) => page.value(`(() => { const it = document.querySelector('#candidate'); it.value = "${name}"; it.dispatchEvent(new Event("change")); })()`);
+  await choose("lolc-spring");
+  await page.value("document.querySelector('#why-of button[data-index=\"2\"]').click()");
+  const path = join(folder, "taken.toml");
+  writeFileSync(path, await saved(page, "#download"));
+  assert.ok(/candidate = "spring"/.test(readFileSync(path, "utf8")));
+  assert.equal(await saved(page, "#download-rows"), lyapunov("run", path, "--csv", "-", "--quiet"));
+  await page.until("location.hash.includes('lolc-spring')");
+  const [hash, shown] = [await page.value("location.hash"), await verdicts(page)];
+  await choose("lolc-mass-spring-damper");
+  assert.notDeepEqual(await verdicts(page), shown);
+  await page.until("location.hash.includes('lolc-mass-spring-damper')");
+  // An address that is pasted into the same tab.
+  await page.value(`location.hash = ${JSON.stringify(hash)}; 0`);
+  await page.until("document.querySelector('#candidate').value === 'lolc-spring'");
+  assert.deepEqual(await verdicts(page), shown);
+  const own = { 0.1: "0.1", inf: "f64::INFINITY" };
+  for (const [cap, said] of Object.entries(own)) {
+    const text = `${readFileSync(join(root, "scenes/paper-8k-none.toml"), "utf8")}\n[stabilizer.lolc]\ncandidate = "device-damping"\ndamping_cap = ${cap}\n`;
+    writeFileSync(path, text);
+    await drop(page, [["own.toml", text]]);
+    await page.until("document.querySelector('#done').textContent === 'own.toml is open.'");
+    assert.equal((await verdicts(page))[2], JSON.parse(lyapunov("run", path, "--json")).verdict);
+    await page.value("document.querySelector('#lines button').click()");
+    assert.ok((await page.value("document.querySelector('#code').textContent")).includes(`of_mass(${said},`), cap);
+    const rows = lyapunov("run", path, "--csv", "-", "--quiet");
+    writeFileSync(path, await saved(page, "#download"));
+    assert.equal(lyapunov("run", path, "--csv", "-", "--quiet"), rows, cap);
+  }
+  await closed(page);
+}
+
+/** The range of the curves holds all of every bounded loop, whatever the others do. */
+async function ranges() {
+  const columns = { value: 0, width: 1 };
+  const bounded = { rows: [-37, 2], columns, tame: true };
+  for (const grown of [[0, 1e9], [-1e9, 0], [-1e9, 1e9], [0, 0]]) {
+    const [low, high] = range([bounded, { rows: grown, columns, tame: false }], "value", 1, 0.05);
+    assert.ok(low < -37 && high > 2 && high - low < 110, `${low} to ${high} beside ${grown}`);
+  }
 }
 
 /** An address or a file that the page cannot run leaves what it shows, and lines are offered only where they say what runs. */
@@ -224,8 +275,7 @@ async function refused(browser) {
   assert.ok((await cut.value("document.querySelector('#fault').textContent")).includes("cut"));
   assert.equal((await verdicts(cut)).length, 3);
   const sphere = readFileSync(join(root, "scenes/sphere.toml"), "utf8");
-  await cut.value(`(() => { const data = new DataTransfer(); data.items.add(new File([${JSON.stringify(sphere)}], "sphere.toml"));
-    document.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true })); })()`);
+  await drop(cut, [["sphere.toml", sphere]]);
   await cut.until("document.querySelector('#done').textContent.includes('sphere.toml is open')");
   assert.ok(await cut.value("[...document.querySelectorAll('#lines button')].every((it) => it.disabled)"));
   await cut.close();
@@ -313,7 +363,7 @@ async function book(browser) {
 
 const browser = new Browser(chromium);
 try {
-  for (const check of [words, rows, dropped, maps, reasons, hand, frames, shared, refused, paper, lines, looks, book]) {
+  for (const check of [ranges, words, rows, dropped, maps, reasons, hand, frames, shared, taken, refused, paper, lines, looks, book]) {
     if (only.length && !only.includes(check.name)) continue;
     const began = performance.now();
     await check(browser);

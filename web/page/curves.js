@@ -20,7 +20,7 @@ function step(range, parts) {
 const short = (number, by) => (Math.abs(number) >= 1e5 ? number.toExponential(0) : number.toFixed(Math.max(0, -Math.floor(Math.log10(by) + 1e-9))).replace("-", "−"));
 
 /** The range that holds nearly all values: a run that grows must not flatten the others, so the widest bounded loop decides. */
-function range(series, of, times, least) {
+export function range(series, of, times, least) {
   const spans = series.map(({ rows, columns, tame }) => {
     let [low, high] = [0, 0];
     for (let at = columns[of]; at < rows.length; at += columns.width) {
@@ -32,14 +32,13 @@ function range(series, of, times, least) {
   });
   const tame = spans.filter((it) => it.tame);
   const chosen = tame.length ? tame : spans;
-  let low = Math.min(...chosen.map((it) => it.low), -least * 0.1);
-  let high = Math.max(...chosen.map((it) => it.high), least);
-  for (const it of spans.filter((one) => !one.tame)) {
-    low = Math.max(it.low, Math.min(low, 3 * low - high));
-    high = Math.min(Math.max(it.high, high), 2.5 * high - low);
-  }
-  const room = 0.08 * (high - low);
-  return [low - room, high + room];
+  const low = Math.min(...chosen.map((it) => it.low), -least * 0.1);
+  const high = Math.max(...chosen.map((it) => it.high), least);
+  const wide = high - low;
+  const most = Math.min(high + 0.6 * wide, Math.max(...spans.map((it) => it.high), high));
+  const fewest = Math.max(low - 0.6 * wide, Math.min(...spans.map((it) => it.low), low));
+  const room = 0.08 * (most - fewest);
+  return [fewest - room, most + room];
 }
 
 /** Draws series over the time from `from` to `to`. */
@@ -54,7 +53,8 @@ export function draw(canvas, series, from, to) {
     const [low, high] = range(series, of, times, least);
     const y = (number) => base - ((number - low) / (high - low)) * (base - top);
     font(c, 11);
-    const by = step(high - low, 4);
+    const few = step(high - low, 4);
+    const by = Math.floor(high / few) - Math.ceil(low / few) > 1 ? few : step(high - low, 8);
     c.textAlign = "right";
     for (let mark = Math.ceil(low / by) * by; mark <= high; mark += by) {
       const nil = Math.abs(mark) < by / 1e3;

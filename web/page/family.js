@@ -2,6 +2,7 @@
 
 import { RUN } from "./engine.js";
 import { ink, path, sheet } from "./paint.js";
+import { digits } from "./why.js";
 
 const WORD = ["settles", "swinging", "grows", "short"];
 
@@ -46,7 +47,7 @@ export class Family {
     Object.assign(word, { className: `word ${WORD[run.verdict]}`, textContent: this.words[run.verdict] });
     row.insertCell().append(word);
     row.insertCell().textContent = Number.isNaN(run.settled) || run.verdict > 0 ? "–" : `${run.settled.toFixed(2)} s`;
-    row.insertCell().textContent = run.verdict === 2 ? "–" : `${run.peak.toPrecision(3)} N`;
+    row.insertCell().textContent = run.verdict === 2 ? "–" : `${digits(run.peak)} N`;
     const canvas = document.createElement("canvas");
     canvas.className = "spark";
     canvas.setAttribute("aria-hidden", "true");

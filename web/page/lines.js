@@ -2,18 +2,20 @@
 
 import { value } from "./scene.js";
 
-const LIMIT_NOTE = "half of m / T, less where the force is late";
-
-/** The numbers of a scene that a loop needs. */
-function numbers(tree) {
+/** The numbers of a scene that a loop needs under the stabilizer `name`. */
+function numbers(tree, name) {
   const of = (key) => value(tree, key) ?? 0;
+  const cap = value(tree, `stabilizer.${name.split("-")[0]}.damping_cap`);
+  const late = cap === undefined ? of("effects.delay.ticks") : 0;
+  const note = cap === undefined ? "half of m / T, less where the force is late" : "the scene's share of m / T";
   return {
-    period: 1 / tree.servo_rate, mass: of("device.mass"), damping: of("device.damping"), delay: of("effects.delay.ticks"),
+    cap: cap ?? 0.5, late, note,
+    period: 1 / tree.servo_rate, mass: of("device.mass"), damping: of("device.damping"),
     stiffness: of("environment.wall.stiffness"), wall: of("environment.wall.damping"), surface: of("environment.wall.position"),
   };
 }
 
-const real = (number) => (Number.isInteger(number) ? `${number}.0` : String(number));
+const real = (number, infinite) => (number === Infinity ? infinite : Number.isInteger(number) ? `${number}.0` : String(number));
 
 /** Each stabilizer of the three loops in the library's words. */
 function rustCandidate(name, it) {
@@ -27,11 +29,11 @@ function rustCandidate(name, it) {
 
 /** Lines of Rust for the setting under the stabilizer `name`. */
 function rust(tree, name) {
-  const it = numbers(tree);
+  const it = numbers(tree, name);
   const [type, candidate, uses, own] = rustCandidate(name, it);
   const none = name === "none";
   const names = none ? [] : ["DampingLimit", "PortEnergy", "Stabilizer", ...uses.split(", ")];
-  const limit = `DampingLimit::of_mass(0.5, MASS, PERIOD)?${it.delay ? `.delayed(${it.delay})` : ""}`;
+  const limit = `DampingLimit::of_mass(${real(it.cap, "f64::INFINITY")}, MASS, PERIOD)?${it.late ? `.delayed(${it.late})` : ""}`;
   const lines = [
     `use lyapunov::{${["ParameterError", "Reading", "Readings", ...names].sort((a, b) => a.localeCompare(b)).join(", ")}};`, "",
     `const PERIOD: f64 = ${real(it.period)}; // s`,
@@ -39,7 +41,7 @@ function rust(tree, name) {
     `const STIFFNESS: f64 = ${real(it.stiffness)}; // N/m`, `const WALL_DAMPING: f64 = ${real(it.wall)}; // N·s/m`, `const SURFACE: f64 = ${real(it.surface)}; // m`, "",
     "/// Closes the loop for some ticks; `read` tells the position, `motor` pushes with −effort and returns the effort it applied.", 
     "pub fn control(ticks: u32, mut read: impl FnMut() -> f64, mut motor: impl FnMut(f64) -> f64) -> Result<(), ParameterError> {",
-    ...(none ? [] : [`    let limit = ${limit}; // ${LIMIT_NOTE}`, `    let mut stabilizer = ${type}::new(${candidate}, limit);`]),
+    ...(none ? [] : [`    let limit = ${limit}; // ${it.note}`, `    let mut stabilizer = ${type}::new(${candidate}, limit);`]),
     "    let mut readings = Readings::every(PERIOD)?;", "    let mut applied = 0.0;", "    for _ in 0..ticks {",
     "        let sample = readings.read(Reading { position: read(), applied }).sample;",
     "        let depth = sample.position - SURFACE;",
@@ -52,7 +54,7 @@ function rust(tree, name) {
 
 /** Lines of C for the same, with the header of bindings/c. */
 function c(tree, name) {
-  const it = numbers(tree);
+  const it = numbers(tree, name);
   const [block, extra] = {
     "lolc-device-damping": ["lolc_f64", [`    parameters.device_damping = ${real(it.damping)}; /* N.s/m, the least that the device surely has */`]],
     "lolc-mass-spring-damper": ["lolc_in_contact_f64", ["    parameters.wall_damping = wall_damping;", "    parameters.surface = surface;"]],
@@ -68,7 +70,7 @@ function c(tree, name) {
     ...(none ? [] : [`    lyapunov_${block} stabilizer;`, `    lyapunov_${block}_parameters parameters = { 0 };`, "    lyapunov_correction_f64 correction;"]),
     "    lyapunov_sample_f64 sample = { 0 };", "    double before = read(), applied = 0.0;", "    int tick;", "",
     ...(none ? [] : [
-      `    if (lyapunov_damping_limit_f64_of_mass(0.5, mass, period, ${it.delay}, &parameters.damping_limit).code != LYAPUNOV_OK) return 1;`, ...extra,
+      `    if (lyapunov_damping_limit_f64_of_mass(${real(it.cap, "1.0 / 0.0")}, mass, period, ${it.late}, &parameters.damping_limit).code != LYAPUNOV_OK) return 1;`, ...extra,
       `    if (lyapunov_${block}_init(&stabilizer, &parameters).code != LYAPUNOV_OK) return 1;`]),
     "    sample.period = period;", "    for (tick = 0; tick < ticks; ++tick) {", "        double depth, wall;", "",
     "        sample.position = read();", "        sample.displacement = sample.position - before;", "        sample.velocity = sample.displacement / period;",
@@ -82,7 +84,7 @@ function c(tree, name) {
 
 /** Lines of Python for the same, with the module of bindings/python. */
 function python(tree, name) {
-  const it = numbers(tree);
+  const it = numbers(tree, name);
   const made = {
     none: [],
     "lolc-device-damping": [`stabilizer = lyapunov.Stabilizer("lolc", limit=limit, damping=${real(it.damping)})  # N·s/m, the least that the device surely has`],
@@ -91,7 +93,7 @@ function python(tree, name) {
   const none = name === "none";
   const lines = [
     "import lyapunov", "", `PERIOD = ${real(it.period)}  # s`, `STIFFNESS = ${real(it.stiffness)}  # N/m`, `WALL_DAMPING = ${real(it.wall)}  # N·s/m`, `SURFACE = ${real(it.surface)}  # m`, "",
-    ...(none ? [] : [`limit = lyapunov.damping_limit(${real(it.mass)}, PERIOD, delay=${it.delay})  # of the smallest mass that moves, kg`]), ...made,
+    ...(none ? [] : [`limit = lyapunov.damping_limit(${real(it.mass)}, PERIOD, cap=${real(it.cap, 'float("inf")')}, delay=${it.late})  # of the smallest mass that moves, kg`]), ...made,
     "readings = lyapunov.Readings(PERIOD)", "", "",
     "def control(ticks, read, motor):", '    """Closes the loop; read() tells the position, motor(effort) pushes with -effort and returns the effort it applied."""',
     "    applied = 0.0", "    for _ in range(ticks):", "        sample = readings.read(read(), applied)", "        depth = sample.position - SURFACE",

@@ -17,13 +17,15 @@ export class Loops {
   constructor(engine) {
     this.engine = engine;
     this.lanes = [0, 1, 2].map(() => ({ rows: new Float64Array(0), fled: 0, gone: 0 }));
-    Object.assign(this, { hand: REST, before: REST, touched: false, led: 0, since: 0, carried: 0 });
+    Object.assign(this, { surface: 0, hasWall: true, hand: REST, before: REST, touched: false, led: 0, since: 0, carried: 0 });
   }
 
-  /** Takes the scenes of the loops, as texts under a rate; the loops go on where they are. False: one cannot be held, for the reason in
-   *  `refused`. */
-  take(scenes, rate) {
-    Object.assign(this, { scenes, rate });
+  /** Takes the scenes of the loops, as texts of a tree under their stabilizers; the loops go on where they are. False: one cannot be
+   *  held, for the reason in `refused`. */
+  take(scenes, tree) {
+    const [kind, about] = Object.entries(tree.environment ?? {})[0] ?? [""];
+    const moved = (about?.position ?? 0) - this.surface;
+    Object.assign(this, { scenes, rate: tree.servo_rate, hasWall: /wall|hunt/.test(kind), surface: this.surface + moved, hand: this.hand + moved, before: this.before + moved });
     try {
       this.lanes.forEach((lane, index) => {
         const place = lane.rows[lane.rows.length - LIVE.width + LIVE.x];
@@ -39,12 +41,13 @@ export class Loops {
 
   /** Puts a loop at `place`, at standstill: not inside the wall, where the first tick would throw it out. */
   grasp(index, place = this.hand) {
-    this.engine.bytes("hold", this.scenes[index], index, Math.min(place, -1e-4));
+    this.engine.bytes("hold", this.scenes[index], index, Math.min(place, this.surface - 1e-4));
   }
 
   /** Puts all loops where the hand is, and the hand where it rests. */
   letGo() {
-    Object.assign(this, { hand: REST, before: REST, since: 0 });
+    const rest = this.surface + REST;
+    Object.assign(this, { hand: rest, before: rest, since: 0 });
     this.lanes.forEach((lane, index) => {
       Object.assign(lane, { rows: new Float64Array(0), fled: 0, gone: 0 });
       if (this.held) this.grasp(index);
@@ -53,7 +56,7 @@ export class Loops {
 
   /** Moves the hand to a place, m. */
   reach(to) {
-    this.hand = Math.max(-0.02, Math.min(0.02, to));
+    this.hand = this.surface + Math.max(-0.02, Math.min(0.02, to - this.surface));
     this.touched = true;
   }
 
@@ -85,7 +88,7 @@ export class Loops {
   lead(seconds) {
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
     this.led += seconds;
-    this.hand = REST + 0.5 * LED * (1 - Math.cos((2 * Math.PI * this.led) / 4));
+    this.hand = this.surface + REST + 0.5 * LED * (1 - Math.cos((2 * Math.PI * this.led) / 4));
   }
 
   /** What is seen of a loop now: its place, the way and the largest force of late. */

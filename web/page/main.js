@@ -11,7 +11,7 @@ import { address, bare, changed, ofAddress, toml } from "./scene.js";
 import { wire } from "./share.js";
 import { fill, moved } from "./sliders.js";
 import { Stage } from "./stage.js";
-import { tell } from "./why.js";
+import { digits, tell } from "./why.js";
 import { work } from "./worker.js";
 
 const $ = (id) => document.getElementById(id);
@@ -45,8 +45,8 @@ function cards() {
     const word = it.querySelector(".word");
     word.textContent = words[run.verdict];
     word.className = `word ${["settles", "swinging", "grows", "short"][run.verdict]}`;
-    const rests = run.verdict === 0 ? `at rest after ${run.settled.toFixed(2)} s, ` : "";
-    const force = run.verdict === 2 ? "" : `at most ${run.peak.toPrecision(3)} N`;
+    const rests = run.verdict === 0 && run.settled >= 0 ? `at rest after ${run.settled.toFixed(2)} s, ` : "";
+    const force = run.verdict === 2 ? "" : `at most ${digits(run.peak)} N`;
     it.querySelector(".told").textContent = run.verdict === 2 ? "the run gets larger and larger" : rests + force;
     it.dataset.name = name;
   });
@@ -77,7 +77,6 @@ function card(index) {
 function choose(candidate) {
   if (state.under === state.candidate) state.under = candidate;
   state.candidate = candidate;
-  $("candidate").value = candidate;
   update();
 }
 
@@ -124,6 +123,12 @@ function ask(kind, about) {
 
 const TIP = "Drag, or use the arrow keys.";
 
+/** Keeps the scene, and what is shown of it, in the address. */
+function keep() {
+  const { tree, candidate, under, look } = state;
+  history.replaceState(null, "", `#${address({ ...tree, page: { candidate, under, look } })}`);
+}
+
 /** Takes the state to all parts of the page; tells whether its scene runs. */
 function update() {
   try {
@@ -134,7 +139,8 @@ function update() {
     return false;
   }
   const scene = toml(state.tree);
-  const held = loops.take(names().map((name) => `${name}\n${scene}`), state.tree.servo_rate);
+  const held = loops.take(names().map((name) => `${name}\n${scene}`), state.tree);
+  Object.assign(stage, { surface: loops.surface, hasWall: loops.hasWall });
   $("show-live").disabled = !held;
   $("tip").textContent = held ? TIP : `${loops.refused}. Below are its runs from the start.`;
   $("tip").hidden = held && loops.touched;
@@ -142,6 +148,9 @@ function update() {
   $("wall").setAttribute("aria-disabled", String(!held));
   if (!held) look("run");
   cards();
+  place();
+  $("candidate").value = state.candidate;
+  $("code").hidden = true;
   show(state.tree);
   state.stale = true;
   map.show(state.tree, names());
@@ -155,7 +164,7 @@ function update() {
   }
   clearTimeout(later);
   later = setTimeout(() => {
-    history.replaceState(null, "", `#${address(state.tree)}`);
+    keep();
     ask("explain", { scene, name: state.under });
     family.begin();
     ask("family", { scene });
@@ -164,29 +173,27 @@ function update() {
 }
 
 /** Takes a scene; one that does not run is told and changes nothing. */
-function take(tree) {
-  const before = state.tree;
-  state.tree = tree;
+function take(tree, chosen = {}) {
+  const before = { ...state };
+  Object.assign(state, { tree }, chosen);
   const runs = update();
-  if (!runs) state.tree = before;
+  if (!runs) Object.assign(state, before);
   return runs;
+}
+
+/** The loop that a scene names by its stabilizer, and the candidate; nothing where it is none of the three. */
+function named({ stabilizer }) {
+  if (stabilizer?.popc) return { under: "popc" };
+  const candidate = `lolc-${stabilizer?.lolc?.candidate}`;
+  return CANDIDATES[candidate] ? { candidate, under: candidate } : {};
 }
 
 /** Applies a remedy: keys of the scene; those of a stabilizer choose the loop to look at. */
 function remedy(set) {
-  let tree = state.tree;
-  for (const [key, to] of Object.entries(set)) {
-    if (!key.startsWith("stabilizer")) tree = changed(tree, key, to);
-    else if (key.endsWith("candidate")) state.candidate = `lolc-${to}`;
-  }
-  const named = Object.keys(set).find((key) => key.startsWith("stabilizer"));
-  if (named) {
-    tree = changed(tree, "stabilizer", undefined);
-    for (const [key, to] of Object.entries(set)) if (key.startsWith("stabilizer")) tree = changed(tree, key, to);
-    state.under = named.includes("popc") ? "popc" : state.candidate;
-    $("candidate").value = state.candidate;
-  }
-  take(tree);
+  const isNamed = Object.keys(set).some((key) => key.startsWith("stabilizer"));
+  let tree = isNamed ? changed(state.tree, "stabilizer", undefined) : state.tree;
+  for (const [key, to] of Object.entries(set)) tree = changed(tree, key, to);
+  take(tree, isNamed ? named(tree) : {});
 }
 
 function hear({ data }) {
@@ -194,7 +201,7 @@ function hear({ data }) {
   if (data.kind === "map") map.hear(data);
   if (data.kind !== "explain") return;
   if (data.refused) $("why-said").textContent = data.refused;
-  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, remedy);
+  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, { ...data, under: state.under, tree: state.tree }, remedy);
 }
 
 function presets() {
@@ -254,20 +261,23 @@ function opened(name, text) {
       $("done").textContent = `${name} is a log: below is what the observer says of it.`;
       return;
     }
-    if (!take(bare(JSON.parse(engine.text("read", `\n${text}`))))) return;
+    const tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
+    const chosen = named(tree);
+    if (!take(tree, chosen)) return;
     look("run");
     loops.letGo();
-    $("said").textContent = `The scene of ${name}.`;
+    const other = chosen.under ? [] : Object.keys(tree.stabilizer ?? {});
+    $("said").textContent = `The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}`;
     $("done").textContent = `${name} is open.`;
   } catch (error) {
-    $("done").textContent = error.message;
+    $("done").textContent = error.message.replaceAll("the scene", () => name);
   }
 }
 
 // The hand.
 
 function place() {
-  const mm = loops.hand * 1e3;
+  const mm = (loops.hand - loops.surface) * 1e3;
   const text = `${Math.abs(mm).toFixed(1)} mm ${mm > 0 ? "into" : "before"} the wall`;
   for (const [key, to] of [["aria-valuenow", mm.toFixed(1)], ["aria-valuetext", text]]) $("wall").setAttribute(key, to);
 }
@@ -290,7 +300,7 @@ function hands() {
   for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
   canvas.addEventListener("keydown", (event) => {
     const by = event.shiftKey ? 0.002 : 0.0005;
-    const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: -0.02, End: 0.02 }[event.key];
+    const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: -1, End: 1 }[event.key];
     if (to === undefined) return;
     event.preventDefault();
     reach(to);
@@ -334,14 +344,22 @@ function choices() {
   $("legend").append(Object.assign(document.createElement("li"), { className: "bound", textContent: "exact limit of the linear loop" }));
 }
 
-/** The scene of the page's address; none where it holds none, or was cut. */
-function sharedScene() {
+/** Takes the scene of the page's address, if it holds one. */
+function share() {
+  let shared = null;
   try {
-    return ofAddress(location.hash);
+    shared = ofAddress(location.hash);
   } catch {
     $("fault").textContent = "The address holds no scene: it may have been cut where it was copied.";
-    return null;
   }
+  if (!shared) return;
+  const { page, ...tree } = shared;
+  const candidate = CANDIDATES[page?.candidate] ? page.candidate : state.candidate;
+  const under = ["none", "popc", candidate].includes(page?.under) ? page.under : "none";
+  if (!take(tree, page ? { candidate, under } : named(tree))) return;
+  $("said").textContent = "The scene of this address.";
+  loops.letGo();
+  if (page?.look === "run" || page?.look === "live" && loops.held) look(page.look);
 }
 
 async function begin(module, source) {
@@ -357,16 +375,13 @@ async function begin(module, source) {
     take(moves.reduce((tree, [slider, number]) => moved(tree, slider, number), state.tree)));
   show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
   choices();
-  for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => look(at));
+  for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
   presets();
   hands();
-  wire({ $, engine, now: () => ({ tree: state.tree, name: state.under }), open });
+  wire({ $, engine, now: () => ({ tree: state.tree, name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
-  const shared = sharedScene();
-  if (shared && take(shared)) {
-    $("said").textContent = "The scene of this address.";
-    loops.letGo();
-  }
+  share();
+  addEventListener("hashchange", share);
   redraws();
   requestAnimationFrame((now) => {
     last = now;

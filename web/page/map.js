@@ -47,6 +47,8 @@ export class StabilityMap {
   renew(always) {
     const [x, y] = this.sliders;
     if (x.key === y.key) {
+      // What is still being computed is of other axes.
+      this.asked = "";
       this.fail("choose two different sliders");
       return;
     }
@@ -78,6 +80,7 @@ export class StabilityMap {
 
   /** Takes what the worker tells. */
   hear({ first, cells, took, limits, refused }) {
+    if (!this.asked) return;
     if (refused) return this.fail(refused.split("\n")[0]);
     this.canvas.closest(".frame").classList.remove("pale");
     if (cells) {
@@ -195,14 +198,14 @@ export class StabilityMap {
       for (let power = Math.ceil(Math.log10(slider.from) - 1e-9); 10 ** power <= slider.to * 1.0001; power += 1) powers.push(10 ** power);
       return powers;
     };
-    const text = (number) => (number >= 1e3 ? `${Number((number / 1e3).toPrecision(3))}k` : `${Number(number.toPrecision(3))}`);
+    const text = (number, { scale = 1 }) => (number >= 1e3 ? `${Number((number / 1e3).toPrecision(3))}k` : `${Number((number * scale).toPrecision(3))}`);
     for (const number of near(x)) {
       const px = left + placeOf(x, number) * wide;
       c.textAlign = px > left + wide - 16 ? "right" : "center";
-      c.fillText(text(number), px, top + tall + 14);
+      c.fillText(text(number, x), px, top + tall + 14);
     }
     c.textAlign = "right";
-    for (const number of near(y)) c.fillText(text(number), left - 6, Math.max(top + 8, top + (1 - placeOf(y, number)) * tall + 4));
+    for (const number of near(y)) c.fillText(text(number, y), left - 6, Math.max(top + 8, top + (1 - placeOf(y, number)) * tall + 4));
     c.textAlign = "center";
     c.fillStyle = colours.ink;
     c.fillText(`${x.label}, ${x.unit}`, left + wide / 2, top + tall + 29);

@@ -29,18 +29,18 @@ export function pairs(tree, above = "") {
 /** The tree of these pairs. */
 export const treeOf = (list) => list.reduce((tree, [key, it]) => changed(tree, key, it), {});
 
-/** The tree without what every scene has by default. */
+/** The tree without what every scene has by default. JSON has no infinity and says null instead. */
 export function bare(tree) {
   const said = pairs(tree).filter(([key, it]) => {
     const table = key.slice(0, key.lastIndexOf("."));
-    return it !== null && DEFAULTS[key] !== it && !(it === 0 && ZERO.includes(table));
+    return DEFAULTS[key] !== it && !(it === 0 && ZERO.includes(table));
   });
-  return treeOf(said);
+  return treeOf(said.map(([key, it]) => [key, it ?? Infinity]));
 }
 
 /** The scene as a TOML file. */
 export function toml(tree) {
-  const written = (it) => JSON.stringify(it);
+  const written = (it) => (it === Infinity ? "inf" : JSON.stringify(it));
   const lines = [];
   const write = (table, path) => {
     const entries = Object.entries(table);
@@ -53,7 +53,7 @@ export function toml(tree) {
   return `${lines.join("\n").trim()}\n`;
 }
 
-/** The scene as the part of an address after `#`. */
+/** The scene, or any tree, as the part of an address after `#`. */
 export const address = (tree) => pairs(tree).map(([key, it]) => `${key}=${encodeURIComponent(JSON.stringify(it))}`).join("&");
 
 /** The scene in the part of an address after `#`; none where it holds none. */
@@ -62,7 +62,7 @@ export function ofAddress(hash) {
   if (!parts.length) return null;
   const read = (part) => {
     const at = part.indexOf("=");
-    return [part.slice(0, at), JSON.parse(decodeURIComponent(part.slice(at + 1)))];
+    return [part.slice(0, at), JSON.parse(decodeURIComponent(part.slice(at + 1))) ?? Infinity];
   };
   return treeOf(parts.map(read));
 }

@@ -14,12 +14,14 @@ function save(name, text) {
 /** Wires the buttons; `now` tells the scene and the stabilizer, `open` takes dropped files. */
 export function wire({ $, engine, now, open }) {
   const done = (text) => ($("done").textContent = text);
-  const copy = async (text, what) => {
+  const copy = async (text, what, of = "") => {
     try {
       await navigator.clipboard.writeText(text);
-      done(`${what} copied.`);
+      done(`${what} copied${of}.`);
     } catch {
       done(`${what}: select and copy it below.`);
+      $("code").hidden = false;
+      $("code").textContent = text;
     }
   };
   const scene = () => {
@@ -36,10 +38,11 @@ export function wire({ $, engine, now, open }) {
     const button = document.createElement("button");
     Object.assign(button, { type: "button", textContent: `copy the ${name} lines` });
     button.addEventListener("click", () => {
-      const text = lines(now().tree, now().name);
+      const at = now();
+      const text = lines(at.tree, at.name);
       $("code").hidden = false;
       $("code").textContent = text;
-      copy(text, `The ${name} lines`);
+      copy(text, `The ${name} lines`, `: ${at.title}, the loop chosen under Why`);
     });
     $("lines").append(button);
   }

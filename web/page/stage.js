@@ -5,11 +5,12 @@ import { font, ink, path, sheet } from "./paint.js";
 /** Millimetres from the left edge to the surface, and across. */
 const LEFT = 30;
 const ACROSS = 50;
-const [BLOCK, REACH] = [30, 74];
+const [BLOCK, REACH, FLAT] = [30, 74, 22];
 
 export class Stage {
   constructor(canvas) {
     this.canvas = canvas;
+    this.surface = 0;
   }
 
   get scale() {
@@ -18,7 +19,7 @@ export class Stage {
 
   /** Pixels of a place in m. */
   at(place) {
-    return (LEFT + place * 1e3) * this.scale;
+    return (LEFT + (place - this.surface) * 1e3) * this.scale;
   }
 
   /** The place in m, relative to the hand, that a way of pixels is. */
@@ -31,11 +32,13 @@ export class Stage {
     const { context: c, width, height } = sheet(this.canvas);
     const colours = ink();
     const tall = height / lanes.length;
-    const surface = this.at(0);
-    c.fillStyle = colours.wall;
-    c.fillRect(surface, 0, width - surface, height);
-    hatch(c, surface, width, height, colours.line);
-    path(c, [[surface, 0], [surface, height]], colours.ink, 2);
+    const surface = this.at(this.surface);
+    if (this.hasWall) {
+      c.fillStyle = colours.wall;
+      c.fillRect(surface, 0, width - surface, height);
+      hatch(c, surface, width, height, colours.line);
+      path(c, [[surface, 0], [surface, height]], colours.ink, 2);
+    }
     lanes.forEach((lane, index) => {
       const middle = (index + 0.56) * tall;
       if (index) path(c, [[0, index * tall], [width, index * tall]], colours.line, 1);
@@ -46,7 +49,9 @@ export class Stage {
   lane(c, lane, hand, middle, size, tall) {
     const colours = ink();
     const front = Math.max(-20, Math.min(this.canvas.clientWidth + 60, this.at(lane.place)));
-    const grip = this.at(hand) - BLOCK - REACH;
+    const apart = this.at(lane.place) - this.at(hand) + REACH;
+    // A spring is pressed flat and no further.
+    const grip = front - BLOCK - (apart > 2 * FLAT ? apart : FLAT + FLAT * Math.exp(apart / FLAT - 2));
     font(c, 13, 600);
     c.fillStyle = lane.colour;
     c.textAlign = "left";
@@ -126,5 +131,6 @@ function arrow(c, x, y, lane, colours) {
   c.fillStyle = colours.ink;
   c.textAlign = "right";
   const said = `${Math.abs(lane.peak).toFixed(Math.abs(lane.peak) < 10 ? 1 : 0)} N`;
-  c.fillText(said, Math.max(c.measureText(said).width + 10, Math.min(x, x - long(lane.peak)) - 6), y + 4);
+  const [end, room] = [Math.min(x, x - long(lane.peak), x - long(lane.force)) - 6, c.measureText(said).width + 10];
+  c.fillText(said, Math.max(room, end), end < room ? y + 18 : y + 4);
 }
