@@ -5,7 +5,7 @@ use lyapunov_figures::{Figure, Guide, Numbering, Panel, Series};
 use crate::files::Scene;
 use crate::measure::{Limits, LinearPart};
 use crate::show::csv::{self, Field};
-use crate::text::file_name;
+use crate::text::{file_name, near_one};
 
 /// The number of stiffnesses at which the loop is looked at.
 const POINTS: u32 = 241;
@@ -19,15 +19,19 @@ pub struct RadiusCurve {
     /// Stiffness in N/m and spectral radius.
     points: Vec<(f64, f64)>,
     /// Stiffnesses with their names: the limits, and the scene's own.
-    marks: Vec<(f64, &'static str)>,
+    marks: Vec<(f64, String)>,
 }
 
 impl RadiusCurve {
     /// The curve of `scene` about its `limits`; none where no formula applies, or no stiffness is known.
     pub fn of(scene: &Scene, limits: &Limits) -> Option<Self> {
         let part = LinearPart::of(scene).ok()?;
-        let own = limits.stiffness.map(|own| (own, "this scene"));
-        let named = limits.named().map(|(_, name, limit)| limit.map(|limit| (limit, name)));
+        // The curve may be cut off there.
+        let radius = limits.spectral_radius.map(|it| format!(", radius {}", near_one(it, 4)));
+        let own = format!("this scene{}", radius.unwrap_or_default());
+        let own = limits.stiffness.map(|stiffness| (stiffness, own));
+        let named =
+            limits.named().map(|(_, name, limit)| limit.map(|limit| (limit, name.to_owned())));
         let marks: Vec<_> = named.into_iter().flatten().chain(own).collect();
         let marks: Vec<_> = marks.into_iter().filter(|mark| mark.0 > 0.0).collect();
         let stiffnesses = || marks.iter().map(|mark| mark.0);
@@ -62,7 +66,7 @@ impl RadiusCurve {
         .with_series(Series::line("", 0, points.collect()))
         .with_guide(Guide::horizontal(1.0, "stable below"));
         let panel = self.marks.iter().fold(panel, |panel, (stiffness, name)| {
-            panel.with_guide(Guide::vertical(stiffness.log10(), *name))
+            panel.with_guide(Guide::vertical(stiffness.log10(), name.clone()))
         });
         Figure::new(file_name(name)).with_width(960.0).with_panel_height(320.0).with_panel(panel)
     }

@@ -138,7 +138,7 @@ impl TradeOff {
             .with_columns(2)
             .with_panel_height(height)
             .with_panel(shares.with_x_range(0.0, 100.0))
-            .with_panel(errors)
+            .with_panel(if self.common == 0 { errors.with_x_range(0.0, 1.0) } else { errors })
     }
 
     /// The trade-off as comma-separated values.

@@ -39,7 +39,7 @@ impl Explanation {
         let told = |remedy: &Remedy| {
             let text = Told(remedy).to_string();
             let (changes, outcome) = text.split_once('\n').unwrap_or((&text, ""));
-            html! { li { code { (changes) } br; (outcome.trim()) } }
+            html! { li { code { (changes) } @for line in outcome.lines() { br; (line.trim()) } } }
         };
         match (self.remedies.is_empty(), self.verdict) {
             (true, Verdict::Grows) => html! { p { "Nothing that was tried helps." } },

@@ -99,7 +99,11 @@ pub(super) fn panels(
             .with_x_range(x.range.0, x.range.1)
             .with_y_range(y.range.0, y.range.1);
         for curve in curves {
-            let points = curve.points.iter().map(|&(a, b)| (x.place(a), y.place(b))).collect();
+            let points = curve.points.iter().map(|&(a, b)| (x.place(a), y.place(b)));
+            let points: Vec<(f64, f64)> = points.collect();
+            if !points.iter().any(|(a, b)| x.shows(*a) && y.shows(*b)) {
+                continue;
+            }
             let series = Series::line(curve.label, curve.colour, points);
             panel = panel.with_series(if curve.is_dashed { series.dashed() } else { series });
         }
@@ -138,6 +142,10 @@ impl Shown {
             count => 0.5 * (to - from) / (count - 1) as f64,
         };
         Self { range: (from - half, to + half), numbered: (from, to), ..shown }
+    }
+
+    fn shows(&self, place: f64) -> bool {
+        (self.range.0..=self.range.1).contains(&place)
     }
 
     pub(super) fn place(&self, value: f64) -> f64 {

@@ -55,8 +55,13 @@ impl Sweep {
     /// once.
     pub fn curves(&self) -> Figure {
         let figure = Figure::new(file_name(&self.name)).with_width(960.0).with_panel_height(230.0);
-        let panels = CURVES.map(|(title, label, column)| {
-            let curves = self.shared(column);
+        let drawn = |(_, curves): &(_, Vec<Shared>)| !curves.is_empty();
+        let panels = CURVES.map(|panel| (panel, self.shared(panel.2)));
+        // Where nothing is told, one panel says so.
+        let told = panels.iter().any(drawn);
+        let panels = panels.into_iter().enumerate();
+        let panels = panels.filter(|(at, panel)| drawn(panel) || !told && *at == 0);
+        let panels = panels.map(|(_, ((title, label, _), curves))| {
             curves.into_iter().fold(self.panel(title, label), |panel, (at, names, points)| {
                 // Between gaps a line would hide a single value.
                 let dots = points.len() <= MARKED;
@@ -68,7 +73,7 @@ impl Sweep {
                 }
             })
         });
-        panels.into_iter().fold(figure, Figure::with_panel)
+        panels.fold(figure, Figure::with_panel)
     }
 
     /// The curves of a column with some value.

@@ -18,7 +18,7 @@ impl Sweep {
             h2 { "Which runs settle, and which stay bounded" }
             (html::figure(Some("verdicts"), &self.verdicts(), &html! { "The verdict on the run at each value." }))
             (self.counts().to_html("short"))
-            p { "Bounded up to: the last value that settles or swings before the first that grows." }
+            p { "Bounded at: the stretches of neighbouring values that all settle or swing." }
             h2 { "Curves" }
             (html::figure(Some("sweep"), &self.curves(), &html! {
                 "Runs that grow are left out; equal curves are drawn once."
