@@ -50,7 +50,8 @@ export function moved(tree, slider, number) {
 export function said(slider, number) {
   if (number === null || number === undefined) return slider.off ? "none" : `0 ${slider.unit}`;
   const shown = Number((number * (slider.scale ?? 1)).toPrecision(4));
-  return `${shown.toLocaleString("en", { maximumFractionDigits: 6 }).replace("-", "−")} ${slider.unit}`;
+  const unit = slider.whole && shown === 1 ? slider.unit.slice(0, -1) : slider.unit;
+  return `${shown.toLocaleString("en", { maximumFractionDigits: 6 }).replace("-", "−")} ${unit}`;
 }
 
 /** Fills a form with the sliders; `move` is called with a slider and its number. */
