@@ -41,7 +41,7 @@ pub(crate) fn compare(
         None => StabilizerNames::standard(),
     };
     let column: Option<Column> = by.map(str::parse).transpose().map_err(errors::input)?;
-    let entrants = own.map_or_else(|| Ok(Vec::new()), |own| one_s_own(own, &names))?;
+    let entrants = own.map_or_else(|| Ok(Vec::new()), |own| makers(own, &names))?;
     let each = |scene: &Scene| (scene.scene.ticks() + 1) * (names.len() + entrants.len()) as u64;
     let total = scenes.iter().map(each).sum();
     wait(py, progress, total, move |watched| {
@@ -65,7 +65,7 @@ pub(crate) fn compare(
 }
 
 /// What makes stabilizers written in Python, by their names.
-fn one_s_own(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own>> {
+fn makers(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own>> {
     let Ok(mapping) = given.cast::<PyMapping>() else {
         return Err(PyTypeError::new_err(format!(
             "own is {}; give a dictionary of what makes a stabilizer, such as its class, by name",

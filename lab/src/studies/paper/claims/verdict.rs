@@ -51,7 +51,7 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::DependsOn(constants) if constants.is_empty() => {
-                f.write_str("depends on no constant that the draws show by itself")
+                f.write_str("depends on no single constant, as far as the draws show")
             }
             Self::DependsOn(constants) => write!(f, "depends on {}", constants.join(", ")),
             _ => f.write_str(self.word()),
