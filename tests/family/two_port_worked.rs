@@ -98,6 +98,32 @@ fn the_held_account() {
     held::<AutoF64x4>();
 }
 
+/// A push of −2 N over 0.1 mm is a debt of 0.2 mJ. The damper that serves it pushes on the way back, and what the port gives
+/// doubles from tick to tick, with nothing short: both ports give at least what their accounts say, and no bound keeps it.
+#[test]
+fn a_hand_that_turns_takes_what_was_to_be_dissipated() {
+    let mut side = TwoPortSide::<f64>::new(limit(f64::INFINITY));
+    let (mut work, mut applied) = (0.0, -2.0);
+    side.stabilize(&PortSample::starting(PERIOD, 0.0, 0.0), applied);
+    for tick in 0..10 {
+        let moved = if tick % 2 == 0 { 1e-4 } else { -1e-4 };
+        work += applied * moved;
+        let shaken = HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied,
+        };
+        let correction = side.stabilize(&shaken.sample(), 0.0);
+        let expected = -2e-4 * 2f64.powi(tick);
+        assert!((work / expected - 1.0).abs() < 1e-12, "{work} J of {expected} J");
+        assert!((correction.observed_energy / work - 1.0).abs() < 1e-12);
+        assert_eq!(correction.shortfall, 0.0);
+        applied = correction.effort;
+    }
+}
+
 /// 2 mJ of debt, 10 mJ burnt: no debt is left. And what was burnt is not spendable by the other side.
 #[test]
 fn what_burns_pays_its_own_debt_once() {

@@ -14,7 +14,9 @@ use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 /// by itself, in √W. A channel that only delays waves, equally long each, has stored `∫ (u² + w²) / 2 ≥ 0` over what is
 /// under way, and is passive for whatever delay (Niemeyer and Slotine, IEEE Journal of Oceanic Engineering 16(1), 1991;
 /// this code's form as in public code that implements it). A delay that varies stretches and squeezes waves, and a lost
-/// wave that is replaced by the one before is carried twice: neither is passive by itself.
+/// wave that is replaced by the one before is carried twice: neither is passive by itself. All of this is of the power
+/// `F v` at the ticks; the work `F Δx` of an effort that is held is another as far as the motion leaves `v T`, and is not
+/// bounded.
 ///
 /// At one end the flow is known and the wave that came in, at the other the effort: [`effort`](Self::effort) and
 /// [`flow`](Self::flow) give what is not. An end that answers its wave with `F = b v` sends none back; any other
