@@ -199,15 +199,30 @@ impl Draft {
                     "give times in s and places in m",
                 );
             }
-            _ => match self.holder(error) {
-                Some((key, value)) => {
+            _ => match (self.holder(error), error.requirement) {
+                (Some((key, value)), Requirement::InRange) => {
                     return Conflict::new(
                         &key,
                         format!("`{key}` = {value:?} takes the loop beyond the range of {scalar}"),
                         "give a value nearer to 1",
                     );
                 }
-                None => (vec![rate], error.to_string()),
+                (Some((key, value)), requirement) => {
+                    return Conflict::new(
+                        &key,
+                        error.to_string(),
+                        format!("`{key}` = {value:?} is that number; it must be {requirement}"),
+                    );
+                }
+                (None, Requirement::AtMost(_) | Requirement::AtLeast(_)) => {
+                    let key = self.stabilizer.map_or_else(
+                        || rate.0.to_owned(),
+                        |it| format!("stabilizer.{}", it.name()),
+                    );
+                    let remedy = "change the numbers of the scene that it follows from";
+                    return Conflict::new(key, error.to_string(), remedy);
+                }
+                (None, _) => (vec![rate], error.to_string()),
             },
         };
         let (key, value) = standing_out(keys).unwrap_or(rate);
