@@ -7,6 +7,7 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
+use crate::range::in_range;
 
 /// A bound of the slope, derived here: the force `F` follows the effort `f`, axis by axis, with changes in the sector
 /// of a largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
@@ -86,7 +87,8 @@ impl<V: Signal> SlopeBound<V> {
     pub fn of_damping(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
         let damping = Requirement::Positive.check("device damping", damping)?;
         let period = Requirement::Positive.check("period", period)?;
-        Self::new(V::Scalar::of(2.0) * damping / period)
+        let slope = V::Scalar::of(2.0) * damping / period;
+        Self::new(in_range("device damping", damping, slope, Requirement::Positive)?)
     }
 }
 

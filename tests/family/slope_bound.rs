@@ -296,7 +296,9 @@ fn a_weight_creeps_in() {
 #[test]
 fn what_cannot_be_right_is_refused() {
     assert!(SlopeBound::<f64>::new(0.0).is_err() && SlopeBound::<f64>::new(f64::INFINITY).is_err());
-    assert!(SlopeBound::<f64>::of_damping(1e300, 1e-300).is_err());
+    let told = SlopeBound::<f64>::of_damping(1e300, 1e-300).expect_err("an infinite slope");
+    let range = "such that the result is within the range of the scalar";
+    assert_eq!(told.to_string(), format!("device damping is 1e300; it must be {range}"));
     assert!(SlopeBound::<f64>::of_damping(1.0, 0.0).is_err());
     assert!(bound().creeping(-1.0).is_err() && bound().creeping(f64::NAN).is_err());
 }

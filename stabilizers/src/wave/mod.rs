@@ -8,6 +8,8 @@ pub use wave_filter::WaveFilter;
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
+use crate::range::in_range;
+
 /// The wave transformation with the impedance `b`, N·s/m: `u = (b v + F) / √(2b)`, `w = (b v − F) / √(2b)`.
 ///
 /// `u` travels with the flow and `w` comes back, and the power is `F v = (u² − w²) / 2`: what a wave carries it carries
@@ -44,7 +46,12 @@ impl<T: Scalar> WaveTransform<T> {
     /// `impedance` not above 0 and finite, or twice of it out of range.
     pub fn new(impedance: T) -> Result<Self, ParameterError> {
         let impedance = Requirement::Positive.check("wave impedance", impedance)?;
-        let root = Requirement::Positive.check("wave impedance", (impedance + impedance).sqrt())?;
+        let root = in_range(
+            "wave impedance",
+            impedance,
+            (impedance + impedance).sqrt(),
+            Requirement::Positive,
+        )?;
         Ok(Self { impedance, root })
     }
 
