@@ -59,9 +59,9 @@ impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
         self.energy
     }
 
-    /// Part of the `wished` input that passes over `period` s at the `flow` it acts on (`wished · flow > 0` extracts), while
-    /// `dissipated` W flow in; less than 0 counts as 0, for a tank is not drained by it. What is not finite passes nothing and leaves the tank as it is, and so does a period that is
-    /// not above 0.
+    /// Part of the `wished` input that passes over `period` s at the `flow` it acts on (`wished · flow > 0` extracts),
+    /// while `dissipated` W flow in; less than 0 counts as 0, for a tank is not drained by it. What is not finite
+    /// passes nothing and leaves the tank as it is, and so does a period that is not above 0.
     #[inline]
     pub fn pass<V: Signal<Scalar = T>>(
         &mut self,
