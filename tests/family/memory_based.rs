@@ -100,7 +100,7 @@ fn place_by_place() {
     }
 }
 
-/// What comes out beyond what went in, on a way in by 0.1 mm a tick under `forces` and out again as fast under as much as the
+/// The excess of what comes out over what went in, on a way in by 0.1 mm a tick under `forces` and out again as fast under as much as the
 /// memory lets through; the place of the turning tick is left out.
 fn too_much(cell: f64, forces: &[f64]) -> f64 {
     let (step, count) = (1e-4, forces.len());
