@@ -35,6 +35,8 @@ pub enum Requirement {
     NonNegative,
     /// Not below 0; infinity means without a limit.
     Limit,
+    /// Above 0; infinity means without a limit.
+    AboveZero,
     /// Not above the given number.
     AtMost(f64),
     /// Finite and not below the given number.
@@ -60,6 +62,7 @@ impl Requirement {
             Self::Positive => value.is_finite() && value > 0.0,
             Self::NonNegative => value.is_finite() && value >= 0.0,
             Self::Limit => value >= 0.0,
+            Self::AboveZero => value > 0.0,
             Self::AtMost(_) => value <= number,
             Self::AtLeast(_) => value.is_finite() && value >= number,
         }
@@ -84,7 +87,7 @@ impl Requirement {
             Self::Finite | Self::InRange => value.finite(),
             Self::Positive => value.finite() & value.above(none),
             Self::NonNegative => value.finite() & !value.below(none),
-            Self::Limit | Self::AtMost(_) | Self::AtLeast(_) => return false,
+            Self::Limit | Self::AboveZero | Self::AtMost(_) | Self::AtLeast(_) => return false,
         };
         right.all()
     }
@@ -137,6 +140,7 @@ impl fmt::Display for Requirement {
             Self::Positive => f.write_str("above 0 and finite"),
             Self::NonNegative => f.write_str("at least 0 and finite"),
             Self::Limit => f.write_str("at least 0 (infinity: no limit)"),
+            Self::AboveZero => f.write_str("above 0 (infinity: no limit)"),
             Self::AtMost(most) => write!(f, "at most {most}"),
             Self::AtLeast(least) => write!(f, "at least {least} and finite"),
             Self::InRange => f.write_str("such that the result is within the range of the scalar"),

@@ -13,6 +13,7 @@ pub(crate) fn meets(requirement: Requirement, value: Symbolic) -> Truth {
         Requirement::Positive => value.finite() & value.above(Symbolic::of(0.0)),
         Requirement::NonNegative => value.finite() & not_below(Symbolic::of(0.0)),
         Requirement::Limit => not_below(Symbolic::of(0.0)),
+        Requirement::AboveZero => value.above(Symbolic::of(0.0)),
         Requirement::AtMost(most) => {
             value.below(Symbolic::of(most)) | equal(value, Symbolic::of(most))
         }

@@ -8,8 +8,8 @@ use lyapunov_core::{ParameterError, Requirement, Scalar};
 ///
 /// A held damper `α` on a mass `m` multiplies the velocity by about `1 − α T / m` on each tick: it removes at
 /// most `m v² / 2`, at `α = m / T`, and adds energy above `2 m / T`. Hence the limit is a share of `m / T`:
-/// 0.5 by default in the scenes, less where the force is delayed ([`delayed`](Self::delayed)), 0 for a pure
-/// observer.
+/// 0.5 by default in the scenes, `cap tan(π / (4 (d + 1))) m / T` where the force acts `d` ticks late
+/// ([`delayed`](Self::delayed)), 0 for a pure observer.
 ///
 /// ```
 /// use lyapunov_stabilizers::DampingLimit;

@@ -65,8 +65,7 @@ impl<P, V: Signal> InputToState<P, V> {
     /// # Errors
     /// `slope` not above 0; `feed` below 0, infinite or NaN.
     pub fn new(port: P, slope: V::Scalar, feed: V::Scalar) -> Result<Self, ParameterError> {
-        let slope = Requirement::Limit.check("largest slope", slope)?;
-        Requirement::Positive.check("largest slope", slope.smaller(V::Scalar::largest()))?;
+        let slope = Requirement::AboveZero.check("largest slope", slope)?;
         Self::with(port, slope, V::Scalar::of(0.0), feed)
     }
 
@@ -76,8 +75,9 @@ impl<P, V: Signal> InputToState<P, V> {
     /// # Errors
     /// `share` not above 1 and finite, where the recursion would swing; `feed` below 0, infinite or NaN.
     pub fn adaptive(port: P, share: V::Scalar, feed: V::Scalar) -> Result<Self, ParameterError> {
-        let one = V::Scalar::of(1.0);
-        Requirement::Positive.check("share of the slope beyond 1", share - one)?;
+        // The least number above 1.
+        let least = V::Scalar::of(1.0) + V::Scalar::epsilon();
+        let share = Requirement::AtLeast(least.lane(0)).check("share of the slope", share)?;
         Self::with(port, V::Scalar::of(0.0), share, feed)
     }
 

@@ -37,6 +37,7 @@ mod path_memory;
 mod per_axis;
 mod plausible;
 mod popc;
+mod range;
 mod reference_following;
 mod shaping;
 mod slope_bound;

@@ -21,10 +21,13 @@ use nalgebra::SVector;
 /// One axis, one side: the environment lies beyond a surface and pushes against `+x`; before the surface `M = 0`. The
 /// last of the `N` cells reaches on without an end. `d` is the delay of the force in ticks.
 ///
-/// **Guarantee** (derived here, as is the look ahead; the paper's own text was not at hand): place by place no more
-/// comes out than went in, but for the `1 + d` ticks in which a motion turns round, whose force was given before it
-/// did. **Assumed** is that the next displacements are no larger than the last; with too short a look ahead it leaks,
-/// and a delay of one tick needs two. Take cells of about one tick's motion. [`PathMemory`](crate::PathMemory) keeps
+/// **Guarantee** (derived here, as is the look ahead; the paper's own text was not at hand): cell by cell no more
+/// force comes out than acted last on the way in, but for the `1 + d` ticks in which a motion turns round, whose
+/// force was given before it did. Place by place that is true to within a cell: of a force that rises within one, the
+/// last is kept for all of it. After a way in from the surface, on which the force rose by `R` N in all from tick to
+/// tick, no more than `h R` J too much comes out, which is much in large cells and little in such of a tick's motion.
+/// **Assumed** is that the next displacements are no larger than the last; with too short a look ahead it leaks, and
+/// a delay of one tick needs two. Take cells of about one tick's motion. [`PathMemory`](crate::PathMemory) keeps
 /// energies instead, whatever the motion.
 ///
 /// It needs no velocity and adds no damping. The observed energy is the work of the port; what it gave more than it

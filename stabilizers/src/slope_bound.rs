@@ -7,6 +7,7 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
+use crate::range::in_range;
 
 /// A bound of the slope, derived here: the force `F` follows the effort `f`, axis by axis, with changes in the sector
 /// of a largest slope `μ`, `0 ≤ ΔF Δx ≤ μ Δx²`; it may fall towards 0 with the effort at any time.
@@ -19,10 +20,10 @@ use crate::account::account_in_sum;
 ///
 /// An environment whose changes are in the sector passes unchanged, to the bit; a wall that is stiffer is felt as a
 /// spring `μ`, on the way in and out. Nothing asks for energy: where the environment makes loops in the graph of force
-/// over displacement, a motion in and out over `d` m takes out up to `μ d² / 2` J, of which a passivity controller
-/// would brake all, and this does nothing. So the port is not passive. It is bounded where what moves dissipates more
+/// over displacement, a motion to and fro over `d` m takes out up to `μ d² / 2` J on each axis, of which a passivity
+/// controller would brake all, and this does nothing. So the port is not passive. It is bounded where what moves dissipates more
 /// than that, which a linear damper does at every size of the swing or at none: a hand and device of the damping `b`
-/// that swing at `ω` dissipate `π b ω d² / 4` on the way, so `μ < π b ω / 2`. A linear wall makes no such loop, nor
+/// that swing at `ω` dissipate `π b ω d² / 4` on the way, so `μ < π b ω / 2`. On one axis a linear wall makes no such loop, nor
 /// does a force with a slope within 0 and `μ`: there is only the hold's leak of `μ Δx² / 2` a tick, and a device damping
 /// of `b ≥ μ T / 2` dissipates that ([`of_damping`](Self::of_damping); the condition of Colgate and Schenkel, Journal of
 /// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness). For a linear wall `F² / (2 μ)` is a storage of port
@@ -30,6 +31,11 @@ use crate::account::account_in_sum;
 /// before a wall that is met from outside, where the first effort is 0. The first effort passes whole: a loop that
 /// starts in contact with a wall `k` at an effort `f` may give up to `f² / (2 min(k, μ))`. Both are without a creep. A
 /// wall that is steep at first and then flat does make a loop, with a long step in and short ones out.
+///
+/// **On several axes** all of this is of one axis after the other, so it holds where the force on each axis depends on the
+/// position along it alone. Before a slanted plane, or a sphere, it does not, however soft they are: the force on an axis
+/// that does not move is held back whole, that on the other one stays, and sliding along the surface takes energy from it,
+/// metre by metre. `tests/family/slope_bound.rs` counts it.
 ///
 /// A force that rises at rest is held back: a moving wall, a weight, what a damper does with the velocity alone. A
 /// creep of `ρ` N/s ([`creeping`](Self::creeping)) lets it come, by `ρ T` a tick.
@@ -81,7 +87,8 @@ impl<V: Signal> SlopeBound<V> {
     pub fn of_damping(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
         let damping = Requirement::Positive.check("device damping", damping)?;
         let period = Requirement::Positive.check("period", period)?;
-        Self::new(V::Scalar::of(2.0) * damping / period)
+        let slope = V::Scalar::of(2.0) * damping / period;
+        Self::new(in_range("device damping", damping, slope, Requirement::Positive)?)
     }
 }
 

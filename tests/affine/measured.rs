@@ -2,9 +2,11 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    DampingLimit, Lolc, Plant, Scalar, Stabilizer,
+    DampingLimit, Lolc, Observer, Plant, PortEnergy, Scalar, Stabilizer,
     integrators::RungeKutta4,
-    models::{AffinePlant, MeasuredPlant, UprightEnergy, WithState, decrease_of},
+    models::{
+        AffinePlant, MeasuredPlant, QuadraticForm, UprightEnergy, VanDerPol, WithState, decrease_of,
+    },
 };
 use nalgebra::{Vector1, Vector2};
 
@@ -60,4 +62,43 @@ fn after_a_state_that_is_not_finite_the_next_spans_the_gap() {
     assert_abs_diff_eq!(good.displacement.input[0], 0.02, epsilon = 1e-15);
     assert_abs_diff_eq!(good.displacement.state[0], 0.02, epsilon = 1e-15);
     assert_eq!(port.tell(Vector2::new(0.13, 1.0), none).period.lane(0), 0.01);
+}
+
+/// A mass of 1 kg in the well `(x² + v²) / 2` moves at −1 m/s; the efforts of the gap are told one by one.
+fn work_of_gap(told: &[(f64, f64)]) -> f64 {
+    let (period, circle) = (0.01, QuadraticForm::sum_of_squares());
+    let free = VanDerPol::new(0.0).expect("a plant");
+    let mut port =
+        MeasuredPlant::new(free, circle, period, Vector2::new(0.5, -1.0)).expect("a port");
+    let mut observer = Observer::of(PortEnergy);
+    let mut energy = 0.0;
+    for &(position, effort) in told {
+        let state = Vector2::new(position, if position.is_nan() { f64::NAN } else { -1.0 });
+        let sample = port.tell(state, Vector1::new(-effort));
+        energy = observer.observe(&sample, WithState::of_input(Vector1::new(0.0)));
+    }
+    energy
+}
+
+/// An effort that acted within a gap is booked with the sample that spans it: over `∫ y dt = −1 m/s · t` the largest effort
+/// counts against the port, and the least for it where the flow goes the other way.
+#[test]
+fn a_gap_forgives_no_debt() {
+    let (lost, twice) = (f64::NAN, 2.0 * 0.01);
+    for (told, expected) in [
+        // Sound samples: 5 N over one period, and nothing over the next.
+        (&[(0.49, 5.0), (0.48, 0.0)][..], -5.0 * 0.01),
+        // 5 N, held or not: the port may have given as much over both.
+        (&[(lost, 5.0), (0.48, 5.0)], -5.0 * twice),
+        (&[(lost, 5.0), (0.48, 0.0)], -5.0 * twice),
+        (&[(lost, 0.0), (0.48, 5.0)], -5.0 * twice),
+        // What the port took is not counted for more than the least.
+        (&[(lost, -5.0), (0.48, -2.0)], 2.0 * twice),
+        // An effort that is not told is one of the others, and its tick is booked once.
+        (&[(lost, 5.0), (0.48, lost), (0.47, 1.0)], -5.0 * 1.5 * twice),
+        (&[(0.49, 2.0), (0.48, lost), (0.47, 1.0)], -2.0 * (0.01 + twice)),
+    ] {
+        let found = work_of_gap(told);
+        assert!(abs_diff_eq!(found, expected, epsilon = 1e-15), "{found} J, {told:?}");
+    }
 }

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{HeldTick, PortSample, Scalar, Stabilizer, stabilizers::MemoryBased};
 
-use crate::support::PERIOD;
+use crate::support::{Dice, PERIOD};
 use crate::worked::{A, B, felt, near};
 
 const CELL: f64 = 1e-4;
@@ -98,6 +98,53 @@ fn place_by_place() {
         assert!(found <= 1e-12, "{found} N at {late} ticks");
         assert!(late == 0 || beyond(late, late - 1) > 0.1);
     }
+}
+
+/// The excess of what comes out over what went in, on a way in by 0.1 mm a tick under `forces` and out again as fast under as much as the
+/// memory lets through; the place of the turning tick is left out.
+fn too_much(cell: f64, forces: &[f64]) -> f64 {
+    let (step, count) = (1e-4, forces.len());
+    let mut memory = MemoryBased::<f64, 32>::beyond(0.0, 32.0 * cell).expect("a memory");
+    let (mut applied, mut energy) = (forces[0], 0.0);
+    memory.stabilize(&PortSample::starting(PERIOD, 0.0, 0.0), applied);
+    for tick in 0..2 * count {
+        let (moved, place) =
+            if tick < count { (step, tick + 1) } else { (-step, 2 * count - tick - 1) };
+        let turning = tick == count - 1 || tick == count;
+        energy += if turning { 0.0 } else { applied * moved };
+        let sample = HeldTick {
+            period: PERIOD,
+            position: place as f64 * step,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied,
+        };
+        let asked = forces.get(tick + 1).copied().unwrap_or(100.0);
+        applied = memory.stabilize(&sample.sample(), asked).effort;
+    }
+    -energy
+}
+
+/// A cell keeps the last force for all of its width: 0.9 mm of 1 N and 0.1 mm of 10 N come out as 10 N. In all that is the cell
+/// times what the force rose by at most.
+#[test]
+fn a_cell_gives_its_last_force() {
+    let mut forces = vec![1.0; 9];
+    forces.push(10.0);
+    let found = too_much(1.001e-3, &forces);
+    assert!((found - 9.0 * 0.9e-3).abs() < 1e-12, "{found} J");
+    let (mut dice, mut most) = (Dice::of(5), 0f64);
+    for _ in 0..3000 {
+        let cell = 10f64.powf(dice.within(1.0) - 3.5);
+        let deepest = (30.0 * cell / 1e-4).min(40.0);
+        let depth = 3 + (dice.within(1.0).powi(2) * (deepest - 3.0)) as usize;
+        let forces: Vec<f64> = (0..depth).map(|_| 5.0 + dice.within(5.0)).collect();
+        let rises: f64 = forces.windows(2).map(|pair| (pair[1] - pair[0]).max(0.0)).sum();
+        let found = too_much(cell, &forces);
+        assert!(found <= cell * rises + 1e-12, "{found} J, cells of {cell} m, {rises} N");
+        most = most.max(found / (cell * rises).max(1e-12));
+    }
+    assert!(most > 0.5, "{most}");
 }
 
 #[test]

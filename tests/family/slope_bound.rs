@@ -8,7 +8,7 @@ use lyapunov::{
     environments::{Spring, Wall},
     stabilizers::SlopeBound,
 };
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
 use crate::support::{Dice, HELD, PERIOD, popc, swing};
 
@@ -219,6 +219,42 @@ fn a_wall_that_is_steep_and_then_flat_makes_a_loop() {
     assert_abs_diff_eq!(least_with_damper(flat, &steps), expected, epsilon = 1e-9 * SLOPE * depth);
 }
 
+/// A plane at 45° of half the slope pushes both axes by `k (x + y) / 2`. In along `x` only that axis follows, `k X / 2`, and
+/// sliding out along it over `L` takes `k X L / 2`, which the other axis would have paid for.
+#[test]
+fn before_a_slanted_plane_sliding_takes_energy() {
+    let (stiffness, step, into, along) = (0.5 * SLOPE, 1e-5, 1000, 4000);
+    let plane = |at: Vector2<f64>| Vector2::repeat(0.5 * stiffness * (at.x + at.y).max(0.0));
+    let mut bound = SlopeBound::<Vector2<f64>>::new(SLOPE).expect("a slope");
+    let still = Vector2::zeros();
+    let mut held = bound.stabilize(&PortSample::starting(PERIOD, still, still), still).effort;
+    let (mut at, mut bare, mut work, mut alone, mut dissipated) = (still, still, 0.0, 0.0, 0.0);
+    for tick in 0..into + along {
+        let moved = if tick < into { Vector2::new(step, 0.0) } else { Vector2::new(-step, step) };
+        work += held.dot(&moved);
+        alone += bare.dot(&moved);
+        dissipated += 0.5 * SLOPE * moved.norm_squared();
+        at += moved;
+        let sample = HeldTick {
+            period: PERIOD,
+            position: at,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied: held,
+        }
+        .sample();
+        bare = plane(at);
+        held = bound.stabilize(&sample, bare).effort;
+    }
+    let square = stiffness * step * step;
+    let (n, m) = (f64::from(into), f64::from(along));
+    let took = square * n * (n - 1.0) / 4.0;
+    assert_abs_diff_eq!(alone, took, epsilon = 1e-12);
+    assert_abs_diff_eq!(work, took - square * n * m / 2.0, epsilon = 1e-12);
+    assert_abs_diff_eq!(dissipated, square * (n + 2.0 * m), epsilon = 1e-12);
+    assert!(work + dissipated < -0.087, "{work} J and {dissipated} J");
+}
+
 /// A held spring that the device's own damper makes passive needs no help: POPC, which does not know the damper, corrects it
 /// all the same.
 #[test]
@@ -260,7 +296,9 @@ fn a_weight_creeps_in() {
 #[test]
 fn what_cannot_be_right_is_refused() {
     assert!(SlopeBound::<f64>::new(0.0).is_err() && SlopeBound::<f64>::new(f64::INFINITY).is_err());
-    assert!(SlopeBound::<f64>::of_damping(1e300, 1e-300).is_err());
+    let told = SlopeBound::<f64>::of_damping(1e300, 1e-300).expect_err("an infinite slope");
+    let range = "such that the result is within the range of the scalar";
+    assert_eq!(told.to_string(), format!("device damping is 1e300; it must be {range}"));
     assert!(SlopeBound::<f64>::of_damping(1.0, 0.0).is_err());
     assert!(bound().creeping(-1.0).is_err() && bound().creeping(f64::NAN).is_err());
 }

@@ -2,9 +2,9 @@
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, PortSample, Sampled, Scalar,
-    Stabilizer,
-    stabilizers::{DriftCompensated, TwoPortSide},
+    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, Popc, PortEnergy, PortSample,
+    Sampled, Scalar, Snapshot, Stabilizer,
+    stabilizers::{Account, DriftCompensated, TwoPortSide},
 };
 use nalgebra::Vector2;
 
@@ -96,6 +96,32 @@ fn the_held_account() {
     held::<f64>();
     held::<f32>();
     held::<AutoF64x4>();
+}
+
+/// A push of −2 N over 0.1 mm is a debt of 0.2 mJ. The damper that serves it pushes on the way back, and what the port gives
+/// doubles from tick to tick, with nothing short: both ports give at least what their accounts say, and no bound keeps it.
+#[test]
+fn a_hand_that_turns_takes_what_was_to_be_dissipated() {
+    let mut side = TwoPortSide::<f64>::new(limit(f64::INFINITY));
+    let (mut work, mut applied) = (0.0, -2.0);
+    side.stabilize(&PortSample::starting(PERIOD, 0.0, 0.0), applied);
+    for tick in 0..10 {
+        let moved = if tick % 2 == 0 { 1e-4 } else { -1e-4 };
+        work += applied * moved;
+        let shaken = HeldTick {
+            period: PERIOD,
+            position: 0.0,
+            velocity: moved / PERIOD,
+            displacement: moved,
+            applied,
+        };
+        let correction = side.stabilize(&shaken.sample(), 0.0);
+        let expected = -2e-4 * 2f64.powi(tick);
+        assert!((work / expected - 1.0).abs() < 1e-12, "{work} J of {expected} J");
+        assert!((correction.observed_energy / work - 1.0).abs() < 1e-12);
+        assert_eq!(correction.shortfall, 0.0);
+        applied = correction.effort;
+    }
 }
 
 /// 2 mJ of debt, 10 mJ burnt: no debt is left. And what was burnt is not spendable by the other side.
@@ -256,5 +282,47 @@ fn a_surplus_is_spent_once() {
     let side = || TwoPortSide::<f64>::new(limit(f64::INFINITY));
     for back in [comes_back!(side()), comes_back!(side().sampled())] {
         assert!((back - 1e-4).abs() < 1e-9, "{back} m");
+    }
+}
+
+/// Flow on the tick after a credit of 2 mJ, of a port that lags by 10 mm against 1 N, and the account a tick later.
+fn pays_from<S>(account: S, asked: f64) -> (f64, f64)
+where
+    S: Stabilizer<f64> + Snapshot,
+    DriftCompensated<S, f64>: Stabilizer<f64> + Account<f64>,
+{
+    let side = DriftCompensated::new(account, f64::INFINITY).expect("no limit");
+    let (inside, _) = side.state();
+    let mut side = side.restored((inside, 10e-3)).expect("a drift");
+    let load = PortSample::from(AdmittanceSample::starting(PERIOD, 1.0));
+    let flow = side.stabilize(&load, asked).effort;
+    let spent =
+        HeldFlow { period: PERIOD, momentum: PERIOD, effort: 1.0, impulse: PERIOD, flow }.sample();
+    side.stabilize(&PortSample::from(spent), 0.0);
+    (flow, side.observed_energy())
+}
+
+/// 2 mJ, of which a flow of −0.6 m/s against 1 N takes 0.6 mJ itself: −1.4 m/s are left. What a flow of 2 m/s brings is not
+/// there yet: −2 m/s, after which a port has its 2 mJ still, and a side has told them to the other.
+#[test]
+fn what_the_flow_itself_takes_is_not_spent_twice() {
+    let received = || {
+        let mut side = TwoPortSide::<f64>::new(limit(f64::INFINITY));
+        side.receive(2e-3);
+        side
+    };
+    let port = || Popc::new(PortEnergy, limit(f64::INFINITY)).budgeted(2e-3).expect("a budget");
+    let sampled = || received().sampled();
+    for (told, flow, energy) in [
+        (pays_from(port(), -0.6), -2.0, 0.0),
+        (pays_from(port().sampled(), -0.6), -2.0, 0.0),
+        (pays_from(received(), -0.6), -2.0, 0.0),
+        (pays_from(sampled(), -0.6), -2.0, 0.0),
+        (pays_from(port(), 2.0), 0.0, 2e-3),
+        (pays_from(received(), 2.0), 0.0, 0.0),
+        (pays_from(sampled(), 2.0), 0.0, 0.0),
+    ] {
+        assert!((told.0 - flow).abs() < 1e-12, "{} m/s", told.0);
+        assert!((told.1 - energy).abs() < 1e-15, "{:e} J", told.1);
     }
 }

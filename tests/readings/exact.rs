@@ -78,6 +78,8 @@ fn periods_and_speeds_are_checked() {
     for bad in [0.0, -1.0, f64::NAN] {
         let refused = readings::<f64>().no_faster_than(bad).expect_err("a bad speed");
         assert_eq!(refused.parameter, "fastest motion");
+        let told = refused.to_string();
+        assert!(told.ends_with("; it must be above 0 (infinity: no limit)"), "{told}");
     }
     assert!(readings::<f64>().no_faster_than(f64::INFINITY).is_ok());
 }

@@ -103,6 +103,34 @@ fn counters_out_of_range_are_refused() {
     );
 }
 
+/// Any stored count goes on with the next call: a time begins again, and a number of ticks stays the largest.
+#[test]
+fn the_largest_count_goes_on() {
+    let rest = PortSample::starting(PERIOD, -1.0, 0.0);
+    let moving = || MovingWall::new(wall(), 1e-3, 7.0, 1000.0).expect("one");
+    let varying = || {
+        VaryingSpring::<f64>::new(Spring::new(500.0).expect("one"), 100.0, 7.0, 1e3).expect("one")
+    };
+    let (mut wall, mut spring) =
+        (moving().restored(u64::MAX).expect("one"), varying().restored(u64::MAX).expect("one"));
+    let (mut fresh_wall, mut fresh_spring) = (moving(), varying());
+    wall.respond(&rest);
+    spring.respond(&rest);
+    assert_eq!((wall.state(), spring.state()), (0, 0));
+    assert_eq!(wall.respond(&rest), fresh_wall.respond(&rest));
+    assert_eq!(spring.respond(&rest), fresh_spring.respond(&rest));
+
+    let told = Correction { observed_energy: -1.0, ..Correction::none(0.0) };
+    let mut meter = EnergyMeter::<f64>::new();
+    meter.add(&rest, &told);
+    let (_, sums, last) = meter.state();
+    let mut meter = meter.restored((u64::MAX, sums, last)).expect("a meter");
+    for _ in 0..2 {
+        meter.add(&rest, &Correction::none(0.0));
+    }
+    assert_eq!((meter.summary().ticks, meter.summary().least), (u64::MAX, -1.0));
+}
+
 /// A meter and a track of poses go on as if nothing had been.
 #[test]
 fn meters_and_tracks() {

@@ -39,6 +39,22 @@ fn counters_out_of_range_are_refused() {
     assert!(windowed.restored((memory, (past, 6), clock, track)).is_err());
 }
 
+/// Periods reach the time that was told or beyond it, where the clock stands.
+#[test]
+fn a_clock_that_is_behind_itself_is_refused() {
+    let clocked = lyapunov::Readings::<f64>::every(1e-3).expect("one").clocked();
+    let (memory, estimator, _, track) = clocked.state();
+    let restored = |told, reached| {
+        clocked.restored((memory, estimator, Some([told, reached]), track)).map(|_| ())
+    };
+    assert!(restored(10.0, 10.0).is_ok() && restored(10.0, 10.5).is_ok());
+    let refused = restored(10.0, 0.0).expect_err("behind itself");
+    assert_eq!((refused.parameter, refused.value), ("stored time reached", 0.0));
+    for (told, reached) in [(f64::NAN, 0.0), (0.0, f64::NAN), (0.0, f64::INFINITY)] {
+        assert!(restored(told, reached).is_err(), "{told} {reached}");
+    }
+}
+
 #[test]
 fn energies_and_forces_out_of_range_are_refused() {
     let slope = SlopeBound::<f64>::new(1e3).expect("one");

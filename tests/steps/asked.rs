@@ -139,8 +139,14 @@ fn what_cannot_be_right_is_named() {
     };
     let port = || answering(&[]);
     assert_eq!(refused(InputToState::new(port(), 0.0, 0.0)), ("largest slope", 0.0));
+    assert_eq!(refused(InputToState::new(port(), -1.0, 0.0)), ("largest slope", -1.0));
     assert_eq!(refused(InputToState::new(port(), 1.0, -1.0)), ("rate feed-forward", -1.0));
-    let name = "share of the slope beyond 1";
-    assert_eq!(refused(InputToState::adaptive(port(), 1.0, 0.0)), (name, 0.0));
-    assert_eq!(refused(InputToState::adaptive(port(), -1.5, 0.0)), (name, -2.5));
+    let name = "share of the slope";
+    for share in [1.0, 0.9, -1.5] {
+        assert_eq!(refused(InputToState::adaptive(port(), share, 0.0)), (name, share));
+    }
+    let least = InputToState::<_, f64>::adaptive(port(), 1.0 + f64::EPSILON, 0.0);
+    assert!(least.is_ok() && InputToState::<_, f64>::new(port(), f64::INFINITY, 0.0).is_ok());
+    let told = InputToState::<_, f64>::new(port(), 0.0, 0.0).err().expect("refused");
+    assert_eq!(told.to_string(), "largest slope is 0.0; it must be above 0 (infinity: no limit)");
 }

@@ -202,8 +202,8 @@ fn what_cannot_be_right_is_named() {
     let made = |store| (refused(Tank::new(PortEnergy, store)), refused(EnergyTank::new(store)));
     for (store, told) in [
         (TankLimits { floor: -1.0, ..store }, ("tank floor", -1.0)),
-        (TankLimits { start: 0.5, ..store }, ("tank start above its floor", -0.5)),
-        (TankLimits { ceiling: 1.0, ..store }, ("tank ceiling above its start", -3.0)),
+        (TankLimits { start: 0.5, ..store }, ("tank start", 0.5)),
+        (TankLimits { ceiling: 1.0, ..store }, ("tank start", 4.0)),
         (TankLimits { power: -2.0, ..store }, ("tank power", -2.0)),
     ] {
         assert_eq!(made(store), (told, told));
@@ -215,7 +215,7 @@ fn what_cannot_be_right_is_named() {
     let mut tank = EnergyTank::new(store).expect("a tank");
     tank.pass(1.0, 1.0, 0.0, 0.0);
     let changed = refused(tank.set_limits(TankLimits { ceiling: 4.5, start: 0.0, ..store }));
-    assert_eq!(changed, ("tank ceiling above its start", -0.5));
+    assert_eq!(changed, ("energy in the tank", 5.0));
     assert_eq!((tank.limits(), tank.energy()), (store, 5.0));
     let changed = TankLimits { floor: 2.0, ceiling: 5.5, power: 0.5, start: 0.0 };
     tank.set_limits(changed).expect("limits");

@@ -132,6 +132,7 @@ fn name(name: &str) -> StabilizerName {
             .stabilizer::<IdleLiar>()
             .stabilizer::<Choosy>()
             .stabilizer::<cut::Cutter>()
+            .stabilizer::<cut::Choosing>()
             .stabilizer::<soak::Hasty>()
             .stabilizer::<soak::Halving>()
             .stabilizer::<soak::Exacting>()
@@ -276,7 +277,7 @@ fn names_and_lists_of_names_know_own_ones() {
     let told = "my-pop".parse::<StabilizerName>().unwrap_err().to_string();
     assert!(told.contains("did you mean `my-popc`?") && told.contains("lolc-my-damping"), "{told}");
     let all: StabilizerNames = "all".parse().unwrap();
-    assert_eq!(all.len(), StabilizerName::ALL.len() + 13);
+    assert_eq!(all.len(), StabilizerName::ALL.len() + 14);
     let fits = all.on(&shipped("hold"));
     assert!(fits.contains(&name("my-popc")) && !fits.contains(&name("choosy")));
     assert_eq!(StabilizerName::all().last(), Some(name("lolc-my-damping")));

@@ -245,7 +245,8 @@ impl Law {
                 let back = (-*drift / T).clamp(-*speed, *speed);
                 let answer = (K * T + B) * back.abs() * (flow.abs() + back.abs());
                 let draw = (answer - back * before.load) * T;
-                flow += back * if draw > sum.max(0.0) { sum.max(0.0) / draw } else { 1.0 };
+                let credit = (sum + (flow * before.load).min(0.0) * T).max(0.0);
+                flow += back * if draw > credit { credit / draw } else { 1.0 };
                 *drift += (flow - signal) * T;
                 acting(flow, far.absorbed, beta, unpaid)
             }

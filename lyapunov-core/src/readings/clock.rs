@@ -83,11 +83,12 @@ impl Snapshot for Clocked {
     }
 
     fn restored(self, last: Self::State) -> Result<Self, ParameterError> {
-        let checked = |time| Requirement::Finite.check("stored time", time);
         let last = match last {
             None => None,
             Some([told, reached]) => {
-                Some(Times { told: checked(told)?, reached: checked(reached)? })
+                let told = Requirement::Finite.check("stored time", told)?;
+                let reached = Requirement::AtLeast(told).check("stored time reached", reached)?;
+                Some(Times { told, reached })
             }
         };
         Ok(Self { last })

@@ -184,7 +184,5 @@ impl<T: Angle, F: Axes> Snapshot for Poses<T, F> {
 }
 
 fn checked<T: Scalar>(name: &'static str, speed: T) -> Result<T, ParameterError> {
-    let speed = Requirement::Limit.check(name, speed)?;
-    Requirement::Positive.check(name, speed.smaller(T::largest()))?;
-    Ok(speed)
+    Requirement::AboveZero.check(name, speed)
 }

@@ -1,8 +1,6 @@
 //! Port of a real plant, from measurements of its state.
 
-use lyapunov_core::{
-    HeldTick, LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal,
-};
+use lyapunov_core::{LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
 use crate::{ControlAffine, WithState};
@@ -13,8 +11,10 @@ use crate::{ControlAffine, WithState};
 /// `∫ y dt ≈ T/2 (y(n−1) + y(n))`, with an error of `T³ ÿ / 12` at most. This matters only to
 /// [`PortEnergy`](lyapunov_core::PortEnergy); [`decrease_of`](crate::decrease_of) needs no integral.
 ///
-/// A state that is not finite goes into its sample as it is, for the stabilizer to reject; the next finite one spans
-/// the gap.
+/// A state or an input that is not finite goes into its sample as it is, with a work of NaN, for the stabilizer to reject
+/// and to book nothing. The next sound one spans the gap: its work is `−u ∫ y dt` if one input was held, and with several
+/// the least of that over all of them, input by input. That is a lower bound where the flow did not turn round within the
+/// gap, up to the error of the rule over the whole of it. An input that is not finite counts as one of those before it.
 ///
 /// ```
 /// use lyapunov_core::ParameterError;
@@ -37,6 +37,9 @@ pub struct MeasuredPlant<P, F, T, const N: usize, const M: usize> {
     elapsed: T,
     at: WithState<T, N, M>,
     flow: SVector<T, M>,
+    /// The range of the efforts since then.
+    least: SVector<T, M>,
+    most: SVector<T, M>,
 }
 
 impl<P, F, T, const N: usize, const M: usize> MeasuredPlant<P, F, T, N, M>
@@ -57,8 +60,9 @@ where
     ) -> Result<Self, ParameterError> {
         let period = Requirement::Positive.check("period", period)?;
         let flow = plant.flow(&function, state);
-        let at = WithState { input: SVector::zeros(), state };
-        Ok(Self { plant, function, period, elapsed: T::of(0.0), at, flow })
+        let none = SVector::zeros();
+        let at = WithState { input: none, state };
+        Ok(Self { plant, function, period, elapsed: T::of(0.0), at, flow, least: none, most: none })
     }
 
     /// The sample of the first tick.
@@ -79,13 +83,34 @@ where
         let elapsed = self.elapsed + self.period;
         let integral = (self.flow + flow).scale(T::of(0.5) * elapsed);
         let at = WithState { input: before.input + integral, state };
-        let sound = at.finite() & flow.finite();
+        let sound = at.finite() & flow.finite() & input.finite();
+        let (least, most) = self.efforts(-input);
+        let work = least.times(integral).zip(most.times(integral), Scalar::smaller);
         self.at = WithState::choose(sound, at, before);
         self.flow = Signal::choose(sound, flow, self.flow);
         self.elapsed = T::choose(sound, T::of(0.0), elapsed);
-        let velocity = WithState::of_input(flow);
-        let applied = WithState::of_input(-input);
-        HeldTick { period: elapsed, position: at, velocity, displacement: at - before, applied }
-            .sample()
+        (self.least, self.most) = (least, most);
+        PortSample {
+            period: elapsed,
+            position: at,
+            velocity: WithState::of_input(flow),
+            displacement: at - before,
+            applied: WithState::of_input(-input),
+            work: WithState::choose(
+                sound,
+                WithState::of_input(work),
+                WithState::splat(T::of(f64::NAN)),
+            ),
+        }
+    }
+
+    /// The least and the largest of the efforts since the last sound sample, `applied` included.
+    #[inline]
+    fn efforts(&self, applied: SVector<T, M>) -> (SVector<T, M>, SVector<T, M>) {
+        let applied = Signal::choose(applied.finite(), applied, self.least);
+        let gap = self.elapsed.above(T::of(0.0));
+        let least = applied.zip(self.least, Scalar::smaller);
+        let most = applied.zip(self.most, Scalar::larger);
+        (Signal::choose(gap, least, applied), Signal::choose(gap, most, applied))
     }
 }

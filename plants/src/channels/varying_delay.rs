@@ -57,16 +57,16 @@ impl<M: Copy, const N: usize> VaryingDelay<M, N> {
 
 impl<M: Copy, const N: usize> Channel<M> for VaryingDelay<M, N> {
     fn carry(&mut self, message: M) -> M {
-        self.tick += 1;
+        self.tick = self.tick.wrapping_add(1);
         let now = self.tick;
         let lag = self.least + (self.random.uniform() * self.choices) as u64;
         let slot = |sent: u64| (sent % N as u64) as usize;
         // A letter is under way for N − 1 ticks at most, so the overwritten one has arrived.
         if let Some(free) = self.letters.get_mut(slot(now)) {
-            *free = Letter { message, arrives: now + lag };
+            *free = Letter { message, arrives: now.wrapping_add(lag) };
         }
         // Only letters sent after the newest arrival, and long enough ago, can arrive.
-        for sent in (self.newest + 1..=now.saturating_sub(self.least)).rev() {
+        for sent in (self.newest.wrapping_add(1)..=now.saturating_sub(self.least)).rev() {
             if let Some(letter) = self.letters.get(slot(sent))
                 && letter.arrives <= now
             {

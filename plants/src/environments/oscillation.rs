@@ -58,7 +58,7 @@ impl<T: Scalar> Oscillation<T> {
     #[inline]
     pub(super) fn tick(&mut self) -> Time<T> {
         let now = Time::Calls { number: self.calls, rate: self.rate };
-        self.calls += 1;
+        self.calls = self.calls.wrapping_add(1);
         now
     }
 

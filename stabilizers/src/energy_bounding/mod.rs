@@ -9,6 +9,7 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
+use crate::range::in_range;
 use band::{Band, Published, Tight};
 
 /// The energy-bounding algorithm, after Kim and Ryu (International Journal of Robotics Research 29(6), 2010): the force
@@ -107,8 +108,7 @@ impl<V: Signal> EnergyBounding<V> {
         let damping = Requirement::NonNegative.check("device damping", damping)?;
         let period = Requirement::Positive.check("period", period)?;
         let burns = damping / period;
-        self.band.burns =
-            Requirement::NonNegative.check("device damping over the period", burns)?;
+        self.band.burns = in_range("device damping", damping, burns, Requirement::NonNegative)?;
         Ok(self)
     }
 
@@ -128,7 +128,7 @@ impl<V: Signal> EnergyBounding<V, Tight<V::Scalar>> {
     /// As [`of_damping`](Self::of_damping).
     pub fn tight(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
         let slope = V::Scalar::of(2.0) * rate(damping, period)?;
-        let slope = Requirement::Positive.check("energy-bounding c", slope)?;
+        let slope = in_range("device damping", damping, slope, Requirement::Positive)?;
         Ok(Self::within(Tight { slope }))
     }
 }
@@ -143,7 +143,7 @@ impl<V: Signal, B> EnergyBounding<V, B> {
 fn rate<T: Scalar>(damping: T, period: T) -> Result<T, ParameterError> {
     let damping = Requirement::Positive.check("device damping", damping)?;
     let period = Requirement::Positive.check("period", period)?;
-    Requirement::Positive.check("device damping over the period", damping / period)
+    in_range("device damping", damping, damping / period, Requirement::Positive)
 }
 
 impl<V: Signal, B> StabilizerExt for EnergyBounding<V, B> {}

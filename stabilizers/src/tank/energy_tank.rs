@@ -42,7 +42,7 @@ impl<T: Scalar> EnergyTank<T> {
     /// # Errors
     /// As [`Tank::new`](super::Tank::new).
     pub fn new(store: TankLimits<T>) -> Result<Self, ParameterError> {
-        let store = store.checked()?;
+        let store = store.checked("tank start")?;
         Ok(Self { energy: store.start, store, valve: BoundedValve })
     }
 
@@ -59,9 +59,9 @@ impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
         self.energy
     }
 
-    /// Part of the `wished` input that passes over `period` s at the `flow` it acts on (`wished · flow > 0` extracts), while
-    /// `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is, and so does a period that is
-    /// not above 0.
+    /// Part of the `wished` input that passes over `period` s at the `flow` it acts on (`wished · flow > 0` extracts),
+    /// while `dissipated` W flow in; less than 0 counts as 0, for a tank is not drained by it. What is not finite
+    /// passes nothing and leaves the tank as it is, and so does a period that is not above 0.
     #[inline]
     pub fn pass<V: Signal<Scalar = T>>(
         &mut self,
@@ -105,7 +105,7 @@ impl<T: Scalar, L> EnergyTank<T, L> {
     /// # Errors
     /// A floor above the energy in it or below 0, a ceiling below that energy, a power below 0; the old ones stay.
     pub fn set_limits(&mut self, limits: TankLimits<T>) -> Result<(), ParameterError> {
-        self.store = TankLimits { start: self.energy, ..limits }.checked()?;
+        self.store = TankLimits { start: self.energy, ..limits }.checked("energy in the tank")?;
         Ok(())
     }
 }

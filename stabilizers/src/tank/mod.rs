@@ -28,12 +28,15 @@ pub struct TankLimits<T> {
 }
 
 impl<T: Scalar> TankLimits<T> {
-    /// The same limits, checked.
-    fn checked(self) -> Result<Self, ParameterError> {
+    /// The same limits, checked; `held` is the name of the energy that `start` stands for.
+    fn checked(self, held: &'static str) -> Result<Self, ParameterError> {
         let Self { start, floor, ceiling, power } = self;
         Requirement::NonNegative.check("tank floor", floor)?;
-        Requirement::NonNegative.check("tank start above its floor", start - floor)?;
-        Requirement::Limit.check("tank ceiling above its start", ceiling - start)?;
+        for lane in 0..T::LANES {
+            let energy = start.lane(lane);
+            Requirement::AtLeast(floor.lane(lane)).check(held, energy)?;
+            Requirement::AtMost(ceiling.lane(lane)).check(held, energy)?;
+        }
         Requirement::Limit.check("tank power", power)?;
         Ok(self)
     }
@@ -85,7 +88,7 @@ impl<T: Scalar, C> Tank<T, C> {
     /// # Errors
     /// `floor` below 0 or not finite; `start` below `floor` or not finite; `ceiling` below `start`; `power` below 0.
     pub fn new(candidate: C, store: TankLimits<T>) -> Result<Self, ParameterError> {
-        let TankLimits { start, floor, ceiling, power } = store.checked()?;
+        let TankLimits { start, floor, ceiling, power } = store.checked("tank start")?;
         let held = start - floor;
         let mut observer: Observer<C, Held, Plain<T>> = Observer::of(candidate);
         observer.ledger.credit(held);

@@ -3,6 +3,7 @@
 use lyapunov_core::{Accumulator, Held, Sampled, Scalar, Signal, Work};
 
 use super::TwoPortSide;
+use super::one_way::OneWay;
 use crate::Lolc;
 
 /// Whether the work of an effort is booked on the tick that asks for it, or on the next, which reports what it was.
@@ -24,6 +25,9 @@ pub trait Spending<T: Scalar> {
     /// Books what the compensation of this tick is about to give, J, where no later sample reports it; an energy that is not
     /// finite is left out.
     fn spend(&mut self, energy: T);
+
+    /// Part of `work`, J, that a later sample is to report: the work over the next period of the flow that goes out.
+    fn due(work: T) -> T;
 }
 
 impl<T: Scalar, C, W: Booking, A: Accumulator<T>> Spending<T> for Lolc<T, C, W, A> {
@@ -32,6 +36,11 @@ impl<T: Scalar, C, W: Booking, A: Accumulator<T>> Spending<T> for Lolc<T, C, W, 
         if W::AT_ONCE {
             self.credit(-energy);
         }
+    }
+
+    #[inline]
+    fn due(work: T) -> T {
+        if W::AT_ONCE { T::of(0.0) } else { work }
     }
 }
 
@@ -44,5 +53,10 @@ where
     #[inline]
     fn spend(&mut self, energy: V::Scalar) {
         self.controller.spend(energy);
+    }
+
+    #[inline]
+    fn due(work: V::Scalar) -> V::Scalar {
+        Lolc::<V::Scalar, OneWay<V>, W, A>::due(work)
     }
 }

@@ -13,14 +13,19 @@ use crate::account::lends;
 ///
 /// The drift is the sum of the corrections, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at
 /// most `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
-/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit of the account at most, and where there is none only what
+/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit `C` at most, and where there is none only what
 /// absorbs is added. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within
 /// the period gives energy that the last force does not show, and without it compensation makes debts. A speed of 0
 /// changes no bit.
 ///
+/// ```text
+/// C = max(0, L)                            sampled work, in which L has the power of v_out already
+/// C = max(0, L + min(0, v_out · f) T)      held work: v_out draws on L over the same period, and pays in after it
+/// ```
+///
 /// What it gives is booked, or the same surplus would be spent on every tick: a held account reads it in the next
 /// sample, a [sampled](TwoPortSide::sampled) one at once. So the account does not fall below 0 by compensation while
-/// the force is as measured.
+/// the force is as measured: with `z = 0`, the force of the sample over the period that follows.
 ///
 /// With `z = 0` this is the compensation of Artigas, Ryu and Preusche (IEEE/RSJ International Conference on Intelligent
 /// Robots and Systems, 2010) and of Chawda, Ly Van Quang, O'Malley and Ryu (IEEE Haptics Symposium, 2014), as in public
@@ -97,7 +102,8 @@ where
         let sizes = back.map(Scalar::magnitude);
         let answer = sizes.inner(correction.effort.map(Scalar::magnitude) + sizes) * self.impedance;
         let draw = (answer - back.inner(sample.velocity)) * sample.period;
-        let credit = correction.observed_energy.larger(zero);
+        let due = S::due(correction.effort.inner(sample.velocity) * sample.period);
+        let credit = (correction.observed_energy + due.smaller(zero)).larger(zero);
         let share = V::Scalar::choose(draw.above(credit), credit / draw, one);
         let some = sizes.sum().above(zero);
         let moved = correction.effort + back.scale(share);

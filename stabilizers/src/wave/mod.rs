@@ -8,13 +8,17 @@ pub use wave_filter::WaveFilter;
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
+use crate::range::in_range;
+
 /// The wave transformation with the impedance `b`, N·s/m: `u = (b v + F) / √(2b)`, `w = (b v − F) / √(2b)`.
 ///
 /// `u` travels with the flow and `w` comes back, and the power is `F v = (u² − w²) / 2`: what a wave carries it carries
 /// by itself, in √W. A channel that only delays waves, equally long each, has stored `∫ (u² + w²) / 2 ≥ 0` over what is
 /// under way, and is passive for whatever delay (Niemeyer and Slotine, IEEE Journal of Oceanic Engineering 16(1), 1991;
 /// this code's form as in public code that implements it). A delay that varies stretches and squeezes waves, and a lost
-/// wave that is replaced by the one before is carried twice: neither is passive by itself.
+/// wave that is replaced by the one before is carried twice: neither is passive by itself. All of this is of the power
+/// `F v` at the ticks; the work `F Δx` of an effort that is held is another as far as the motion leaves `v T`, and is not
+/// bounded.
 ///
 /// At one end the flow is known and the wave that came in, at the other the effort: [`effort`](Self::effort) and
 /// [`flow`](Self::flow) give what is not. An end that answers its wave with `F = b v` sends none back; any other
@@ -42,7 +46,12 @@ impl<T: Scalar> WaveTransform<T> {
     /// `impedance` not above 0 and finite, or twice of it out of range.
     pub fn new(impedance: T) -> Result<Self, ParameterError> {
         let impedance = Requirement::Positive.check("wave impedance", impedance)?;
-        let root = Requirement::Positive.check("wave impedance", (impedance + impedance).sqrt())?;
+        let root = in_range(
+            "wave impedance",
+            impedance,
+            (impedance + impedance).sqrt(),
+            Requirement::Positive,
+        )?;
         Ok(Self { impedance, root })
     }
 

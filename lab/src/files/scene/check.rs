@@ -199,14 +199,8 @@ impl Draft {
                     "give times in s and places in m",
                 );
             }
-            _ => match self.holder(error) {
-                Some((key, value)) => {
-                    return Conflict::new(
-                        &key,
-                        format!("`{key}` = {value:?} takes the loop beyond the range of {scalar}"),
-                        "give a value nearer to 1",
-                    );
-                }
+            _ => match self.refused(error, scalar) {
+                Some(conflict) => return conflict,
                 None => (vec![rate], error.to_string()),
             },
         };
@@ -225,6 +219,30 @@ impl Draft {
             stiffness.chain(grip.damping.iter().map(|it| ("operator.grip.damping", it.get())))
         });
         link.chain(grip).collect()
+    }
+
+    /// The conflict of a number that a block rejected, where the scene has it or the requirement has a number of its own.
+    fn refused(&self, error: &ParameterError, scalar: &str) -> Option<Conflict> {
+        let requirement = error.requirement;
+        let conflict = match (self.holder(error), requirement) {
+            (Some((key, value)), Requirement::InRange) => Conflict::new(
+                &key,
+                format!("`{key}` = {value:?} takes the loop beyond the range of {scalar}"),
+                "give a value nearer to 1",
+            ),
+            (Some((key, value)), _) => Conflict::new(
+                &key,
+                error.to_string(),
+                format!("`{key}` = {value:?} is that number; it must be {requirement}"),
+            ),
+            (None, Requirement::AtMost(_) | Requirement::AtLeast(_)) => Conflict::new(
+                format!("stabilizer.{}", self.stabilizer?.name()),
+                error.to_string(),
+                "change the numbers of the scene that it follows from",
+            ),
+            (None, _) => return None,
+        };
+        Some(conflict)
     }
 
     /// The key of the value that a block rejected, and the value there.
