@@ -29,7 +29,8 @@ fn matrix<T: Number, const N: usize>(rows: &[AxesForm<T, N>; N]) -> SMatrix<T, N
 }
 
 blocks! {
-    /// LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between samples.
+    /// LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between
+    /// samples, and reads no `work`: look at the `accepted` of a reading.
     lolc_sampled on every = {
         "lolc_sampled";
         Lolc<T, (PortEnergy, Dissipation<T>), Sampled>, whole 3 + 0;
