@@ -14,6 +14,7 @@ use nalgebra::SMatrix;
 
 use crate::export::blocks;
 use crate::limits::limit;
+use crate::named::named;
 use crate::number::Number;
 use crate::port::AxesForm;
 
@@ -341,12 +342,14 @@ blocks! {
             budget: T,
         };
         |given| {
-            let translation = Dissipation::of(given.translation_damping)?;
-            let credit = PerPart::of(translation, Dissipation::of(given.rotation_damping)?);
+            let damping = |field, damping| named(field, Dissipation::of(damping));
+            let translation = damping("translation_damping", given.translation_damping)?;
+            let rotation = damping("rotation_damping", given.rotation_damping)?;
+            let credit = PerPart::of(translation, rotation);
             let inner = Lolc::new((PortEnergy, credit), DampingLimit::at(T::INFINITY)?);
             let limits = PartLimits {
-                translation: limit(given.translation_limit)?,
-                rotation: limit(given.rotation_limit)?,
+                translation: named("translation_limit", limit(given.translation_limit))?,
+                rotation: named("rotation_limit", limit(given.rotation_limit))?,
             };
             Ok(DirectedDamping::within(inner.budgeted(given.budget)?, limits))
         };
