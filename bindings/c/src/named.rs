@@ -2,7 +2,7 @@
 
 use lyapunov::ParameterError;
 
-/// What was made, or its refusal under the name of the block's field.
+/// Result of a constructor; a refusal has the name of the block's field.
 ///
 /// For fields of which [`NAMES`] cannot tell: a damping is the device's in one block and the wall's in another.
 pub(crate) fn named<R>(
