@@ -284,7 +284,15 @@ fn of_rows<'a>(rows: impl Iterator<Item = [&'a str; 3]>) -> Vec<Oddity> {
 #[test]
 fn a_force_that_does_not_act_from_its_row_on_is_told() {
     for rate in ["1000.0", "3000.0"] {
-        let (text, _) = log(&press(&[("servo_rate", rate), ("stabilizer", "")]));
+        let bouncing = press(&[
+            ("servo_rate", rate),
+            ("device", "{ mass = 0.12, damping = 0.05 }"),
+            ("operator", "{ mass = 0.15, damping = 0.7, stiffness = 120.0, rest = 0.006 }"),
+            ("initial", "{ position = -0.011 }"),
+            ("environment", "{ wall = { stiffness = 1200.0, damping = 3.0 } }"),
+            ("stabilizer", ""),
+        ]);
+        let (text, _) = log(&bouncing);
         let mut lines = text.lines().filter(|line| !line.starts_with('#'));
         let heads: Vec<&str> = lines.next().unwrap().split(',').collect();
         let place = |name: &str| heads.iter().position(|head| *head == name).unwrap();
