@@ -75,11 +75,11 @@ pub(super) struct Wall {
 impl Wall {
     /// Where it stands, m.
     pub(super) fn position(&self) -> f64 {
-        self.origin + self.from_origin()
+        self.origin + self.beyond_origin()
     }
 
     /// Where it stands from the origin, m.
-    pub(super) fn from_origin(&self) -> f64 {
+    pub(super) fn beyond_origin(&self) -> f64 {
         -self.at[2] / self.at[0]
     }
 
