@@ -275,6 +275,48 @@ fn a_made_log_shows_each_sign() {
     shows(&of_log(&jump, "t,x,f", &[]), Sign::Unit, &["faster than any hand", "at 0.314 s"]);
 }
 
+/// Rows of a log, and the log of them.
+fn of_rows<'a>(rows: impl Iterator<Item = [&'a str; 3]>) -> Vec<Oddity> {
+    let text: String = rows.map(|row| row.join(",") + "\n").collect();
+    of_log(&format!("t,x,f\n{text}"), "t,x,f", &[])
+}
+
+#[test]
+fn a_force_that_does_not_act_from_its_row_on_is_told() {
+    for rate in ["1000.0", "3000.0"] {
+        let bouncing = press(&[
+            ("servo_rate", rate),
+            ("device", "{ mass = 0.12, damping = 0.05 }"),
+            ("operator", "{ mass = 0.15, damping = 0.7, stiffness = 120.0, rest = 0.006 }"),
+            ("initial", "{ position = -0.011 }"),
+            ("environment", "{ wall = { stiffness = 1200.0, damping = 3.0 } }"),
+            ("stabilizer", ""),
+        ]);
+        let (text, _) = log(&bouncing);
+        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+        let heads: Vec<&str> = lines.next().unwrap().split(',').collect();
+        let place = |name: &str| heads.iter().position(|head| *head == name).unwrap();
+        let places = [place("t"), place("x"), place("f_act")];
+        let rows: Vec<[&str; 3]> = lines
+            .map(|line| {
+                let fields: Vec<&str> = line.split(',').collect();
+                places.map(|at| fields[at])
+            })
+            .collect();
+        assert_eq!(of_rows(rows.iter().copied()), []);
+        let every = if rate == "1000.0" { 10 } else { 30 };
+        let few = of_rows(rows.iter().copied().step_by(every));
+        shows(&few, Sign::Hold, &["straight from row to row", "one row for each tick"]);
+        // The force that acted before its position was read.
+        let before = rows.windows(2).map(|it| [it[1][0], it[1][1], it[0][2]]);
+        shows(
+            &of_rows(before),
+            Sign::Hold,
+            &["acted until its row", "from its row until the next"],
+        );
+    }
+}
+
 #[test]
 fn a_given_threshold_above_every_force_is_told() {
     let log = swing(|x, _| (500.0 * x).max(0.0));

@@ -126,7 +126,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_f32screw, rotation) == 12, lyapunov_f32screw_r
 typedef struct lyapunov_f32pose {
     /* Position of the reference point, m. */
     float position[3];
-    /* Orientation as a quaternion: x, y, z, w. Its length does not matter, unless it is 0. */
+    /* Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0,
+       but a change of it by orders of magnitude costs digits. */
     float quaternion[4];
 } lyapunov_f32pose;
 LYAPUNOV_ASSERT(sizeof(lyapunov_f32pose) == 28, lyapunov_f32pose_size);
@@ -189,7 +190,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_f64screw, rotation) == 24, lyapunov_f64screw_r
 typedef struct lyapunov_f64pose {
     /* Position of the reference point, m. */
     double position[3];
-    /* Orientation as a quaternion: x, y, z, w. Its length does not matter, unless it is 0. */
+    /* Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0,
+       but a change of it by orders of magnitude costs digits. */
     double quaternion[4];
 } lyapunov_f64pose;
 LYAPUNOV_ASSERT(sizeof(lyapunov_f64pose) == 56, lyapunov_f64pose_size);
@@ -229,7 +231,7 @@ typedef struct lyapunov_correction_f32 {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -243,7 +245,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32, accepted) == 16, lyapunov_corr
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32, code) == 20, lyapunov_correction_f32_code);
 typedef struct lyapunov_checked_sample_f32 {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f32 sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -308,7 +311,7 @@ typedef struct lyapunov_correction_f64 {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -322,7 +325,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64, accepted) == 32, lyapunov_corr
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64, code) == 36, lyapunov_correction_f64_code);
 typedef struct lyapunov_checked_sample_f64 {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f64 sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -387,7 +391,7 @@ typedef struct lyapunov_correction_f32x3 {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -401,7 +405,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32x3, accepted) == 24, lyapunov_co
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32x3, code) == 28, lyapunov_correction_f32x3_code);
 typedef struct lyapunov_checked_sample_f32x3 {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f32x3 sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -466,7 +471,7 @@ typedef struct lyapunov_correction_f64x3 {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -480,7 +485,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64x3, accepted) == 48, lyapunov_co
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64x3, code) == 52, lyapunov_correction_f64x3_code);
 typedef struct lyapunov_checked_sample_f64x3 {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f64x3 sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -545,7 +551,7 @@ typedef struct lyapunov_correction_f32x6 {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -559,7 +565,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32x6, accepted) == 36, lyapunov_co
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32x6, code) == 40, lyapunov_correction_f32x6_code);
 typedef struct lyapunov_checked_sample_f32x6 {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f32x6 sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -624,7 +631,7 @@ typedef struct lyapunov_correction_f64x6 {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -638,7 +645,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64x6, accepted) == 72, lyapunov_co
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64x6, code) == 76, lyapunov_correction_f64x6_code);
 typedef struct lyapunov_checked_sample_f64x6 {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f64x6 sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -703,7 +711,7 @@ typedef struct lyapunov_correction_f32screw {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -717,7 +725,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32screw, accepted) == 36, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f32screw, code) == 40, lyapunov_correction_f32screw_code);
 typedef struct lyapunov_checked_sample_f32screw {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f32screw sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -782,7 +791,7 @@ typedef struct lyapunov_correction_f64screw {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
     /* What the call returned. */
     uint32_t code;
@@ -796,7 +805,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64screw, accepted) == 72, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_correction_f64screw, code) == 76, lyapunov_correction_f64screw_code);
 typedef struct lyapunov_checked_sample_f64screw {
     /* The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still,
-       and its work is NaN, so that a stabilizer rejects it. */
+       and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not
+       read it: look at `accepted`. */
     lyapunov_sample_f64screw sample;
     /* 1 if the reading was accepted, else 0. */
     uint32_t accepted;
@@ -830,17 +840,19 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64screw, there) == 96, lyapunov_wave_f64
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_f64screw, back) == 144, lyapunov_wave_f64screw_back);
 /* Function of yours that a step calls, see lolc_custom and lolc_storage. */
 typedef double (*lyapunov_candidate_f64screw)(void *context, const lyapunov_sample_f64screw *sample);
-/* The limit cap * mass / period, N.s/m, for an effort that acts `late` ticks late: `mass` is the least that
-   moves with the port, kg, and a cap of 0.5 is usual. */
+/* The limit cap * tan(pi / (4 (late + 1))) * mass / period, N.s/m, for an effort that acts `late` ticks late:
+   0 if it acts from this tick on, 1 if it is latched at the next. `mass` is the least that moves with the
+   port, kg, and a cap of 0.5 is usual. */
 LYAPUNOV_API lyapunov_status lyapunov_damping_limit_f32_of_mass(float cap, float mass, float period, uint32_t late, float *limit);
-/* The limit of a mobility, cap / (stiffness * period), m/(N.s), where force comes in and motion goes out:
-   `stiffness` is the largest that holds the device, N/m. */
+/* The limit of a mobility, cap * tan(pi / (4 (late + 1))) / (stiffness * period), m/(N.s), where force comes
+   in and motion goes out: `stiffness` is the largest that holds the device, N/m; `late` as of a mass. */
 LYAPUNOV_API lyapunov_status lyapunov_damping_limit_f32_of_stiffness(float cap, float stiffness, float period, uint32_t late, float *limit);
-/* The limit cap * mass / period, N.s/m, for an effort that acts `late` ticks late: `mass` is the least that
-   moves with the port, kg, and a cap of 0.5 is usual. */
+/* The limit cap * tan(pi / (4 (late + 1))) * mass / period, N.s/m, for an effort that acts `late` ticks late:
+   0 if it acts from this tick on, 1 if it is latched at the next. `mass` is the least that moves with the
+   port, kg, and a cap of 0.5 is usual. */
 LYAPUNOV_API lyapunov_status lyapunov_damping_limit_f64_of_mass(double cap, double mass, double period, uint32_t late, double *limit);
-/* The limit of a mobility, cap / (stiffness * period), m/(N.s), where force comes in and motion goes out:
-   `stiffness` is the largest that holds the device, N/m. */
+/* The limit of a mobility, cap * tan(pi / (4 (late + 1))) / (stiffness * period), m/(N.s), where force comes
+   in and motion goes out: `stiffness` is the largest that holds the device, N/m; `late` as of a mass. */
 LYAPUNOV_API lyapunov_status lyapunov_damping_limit_f64_of_stiffness(double cap, double stiffness, double period, uint32_t late, double *limit);
 
 /* lyapunov_readings_f32: Readings at a fixed period (Readings::every), with velocities by differences: the
@@ -4920,7 +4932,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f64_grant(lyapunov_lolc_in
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f64_owe(lyapunov_lolc_in_contact_f64 *storage, double debt);
 
 /* lyapunov_lolc_sampled_f32: LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling
-   instant. It misses what leaks between samples. */
+   instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 typedef struct lyapunov_lolc_sampled_f32_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f32_parameters lolc;
@@ -4964,7 +4976,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32_grant(lyapunov_lolc_sampl
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32_owe(lyapunov_lolc_sampled_f32 *storage, float debt);
 
 /* lyapunov_lolc_sampled_f64: LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling
-   instant. It misses what leaks between samples. */
+   instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 typedef struct lyapunov_lolc_sampled_f64_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f64_parameters lolc;
@@ -5008,7 +5020,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64_grant(lyapunov_lolc_sampl
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64_owe(lyapunov_lolc_sampled_f64 *storage, double debt);
 
 /* lyapunov_lolc_sampled_f32x3: LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling
-   instant. It misses what leaks between samples. */
+   instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 typedef struct lyapunov_lolc_sampled_f32x3_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f32x3_parameters lolc;
@@ -5052,7 +5064,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x3_grant(lyapunov_lolc_sam
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x3_owe(lyapunov_lolc_sampled_f32x3 *storage, float debt);
 
 /* lyapunov_lolc_sampled_f64x3: LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling
-   instant. It misses what leaks between samples. */
+   instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 typedef struct lyapunov_lolc_sampled_f64x3_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f64x3_parameters lolc;
@@ -5096,7 +5108,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x3_grant(lyapunov_lolc_sam
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x3_owe(lyapunov_lolc_sampled_f64x3 *storage, double debt);
 
 /* lyapunov_lolc_sampled_f32x6: LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling
-   instant. It misses what leaks between samples. */
+   instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 typedef struct lyapunov_lolc_sampled_f32x6_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f32x6_parameters lolc;
@@ -5140,7 +5152,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x6_grant(lyapunov_lolc_sam
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x6_owe(lyapunov_lolc_sampled_f32x6 *storage, float debt);
 
 /* lyapunov_lolc_sampled_f64x6: LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling
-   instant. It misses what leaks between samples. */
+   instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 typedef struct lyapunov_lolc_sampled_f64x6_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f64x6_parameters lolc;
@@ -5184,7 +5196,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x6_grant(lyapunov_lolc_sam
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x6_owe(lyapunov_lolc_sampled_f64x6 *storage, double debt);
 
 /* lyapunov_lolc_sampled_f32screw: LOLC over the paper's sampled work (Lolc::sampled), the power at the
-   sampling instant. It misses what leaks between samples. */
+   sampling instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a
+   reading. */
 typedef struct lyapunov_lolc_sampled_f32screw_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f32screw_parameters lolc;
@@ -5228,7 +5241,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32screw_grant(lyapunov_lolc_
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32screw_owe(lyapunov_lolc_sampled_f32screw *storage, float debt);
 
 /* lyapunov_lolc_sampled_f64screw: LOLC over the paper's sampled work (Lolc::sampled), the power at the
-   sampling instant. It misses what leaks between samples. */
+   sampling instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a
+   reading. */
 typedef struct lyapunov_lolc_sampled_f64screw_parameters {
     /* The stabilizer. */
     lyapunov_lolc_f64screw_parameters lolc;
@@ -11899,7 +11913,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f32_save(const lyapunov_energy_tank_f
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_restore(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32_pass(lyapunov_energy_tank_f32 *storage, float period, float dissipated, float wished, float flow, float *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_energy_tank_f32_energy(const lyapunov_energy_tank_f32 *storage);
@@ -11948,7 +11963,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f64_save(const lyapunov_energy_tank_f
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_restore(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64_pass(lyapunov_energy_tank_f64 *storage, double period, double dissipated, double wished, double flow, double *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_energy_tank_f64_energy(const lyapunov_energy_tank_f64 *storage);
@@ -11997,7 +12013,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x3_save(const lyapunov_energy_tank
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_restore(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x3_pass(lyapunov_energy_tank_f32x3 *storage, float period, float dissipated, const lyapunov_f32x3 *wished, const lyapunov_f32x3 *flow, lyapunov_f32x3 *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_energy_tank_f32x3_energy(const lyapunov_energy_tank_f32x3 *storage);
@@ -12046,7 +12063,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x3_save(const lyapunov_energy_tank
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_restore(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x3_pass(lyapunov_energy_tank_f64x3 *storage, double period, double dissipated, const lyapunov_f64x3 *wished, const lyapunov_f64x3 *flow, lyapunov_f64x3 *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_energy_tank_f64x3_energy(const lyapunov_energy_tank_f64x3 *storage);
@@ -12095,7 +12113,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x6_save(const lyapunov_energy_tank
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_restore(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x6_pass(lyapunov_energy_tank_f32x6 *storage, float period, float dissipated, const lyapunov_f32x6 *wished, const lyapunov_f32x6 *flow, lyapunov_f32x6 *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_energy_tank_f32x6_energy(const lyapunov_energy_tank_f32x6 *storage);
@@ -12144,7 +12163,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x6_save(const lyapunov_energy_tank
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_restore(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x6_pass(lyapunov_energy_tank_f64x6 *storage, double period, double dissipated, const lyapunov_f64x6 *wished, const lyapunov_f64x6 *flow, lyapunov_f64x6 *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_energy_tank_f64x6_energy(const lyapunov_energy_tank_f64x6 *storage);
@@ -12193,7 +12213,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f32screw_save(const lyapunov_energy_t
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_restore(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32screw_pass(lyapunov_energy_tank_f32screw *storage, float period, float dissipated, const lyapunov_f32screw *wished, const lyapunov_f32screw *flow, lyapunov_f32screw *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_energy_tank_f32screw_energy(const lyapunov_energy_tank_f32screw *storage);
@@ -12242,7 +12263,8 @@ LYAPUNOV_API uint32_t lyapunov_energy_tank_f64screw_save(const lyapunov_energy_t
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_restore(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_memory *memory);
 /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0
-   extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+   extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and
+   leaves the tank as it is. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64screw_pass(lyapunov_energy_tank_f64screw *storage, double period, double dissipated, const lyapunov_f64screw *wished, const lyapunov_f64screw *flow, lyapunov_f64screw *passed);
 /* The energy in it, J; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_energy_tank_f64screw_energy(const lyapunov_energy_tank_f64screw *storage);

@@ -2469,7 +2469,7 @@ public:
     lyapunov_lolc_in_contact_f64 storage{};
 };
 
-/* LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between samples. */
+/* LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 template <class Signal> class LolcSampled;
 
 template <> class LolcSampled<float> {
@@ -6590,7 +6590,7 @@ public:
     lyapunov_energy_tank_f32_memory save() const noexcept { lyapunov_energy_tank_f32_memory memory{}; lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     float pass(float period, float dissipated, float wished, float flow) noexcept { float passed{}; lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32_energy(&storage); }
@@ -6612,7 +6612,7 @@ public:
     lyapunov_energy_tank_f64_memory save() const noexcept { lyapunov_energy_tank_f64_memory memory{}; lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     double pass(double period, double dissipated, double wished, double flow) noexcept { double passed{}; lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64_energy(&storage); }
@@ -6634,7 +6634,7 @@ public:
     lyapunov_energy_tank_f32x3_memory save() const noexcept { lyapunov_energy_tank_f32x3_memory memory{}; lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x3_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); lyapunov_f32x3 passed{}; lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x3_energy(&storage); }
@@ -6656,7 +6656,7 @@ public:
     lyapunov_energy_tank_f64x3_memory save() const noexcept { lyapunov_energy_tank_f64x3_memory memory{}; lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x3_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); lyapunov_f64x3 passed{}; lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x3_energy(&storage); }
@@ -6678,7 +6678,7 @@ public:
     lyapunov_energy_tank_f32x6_memory save() const noexcept { lyapunov_energy_tank_f32x6_memory memory{}; lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x6_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); lyapunov_f32x6 passed{}; lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x6_energy(&storage); }
@@ -6700,7 +6700,7 @@ public:
     lyapunov_energy_tank_f64x6_memory save() const noexcept { lyapunov_energy_tank_f64x6_memory memory{}; lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x6_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); lyapunov_f64x6 passed{}; lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x6_energy(&storage); }
@@ -6722,7 +6722,7 @@ public:
     lyapunov_energy_tank_f32screw_memory save() const noexcept { lyapunov_energy_tank_f32screw_memory memory{}; lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32screw_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); lyapunov_f32screw passed{}; lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32screw_energy(&storage); }
@@ -6744,7 +6744,7 @@ public:
     lyapunov_energy_tank_f64screw_memory save() const noexcept { lyapunov_energy_tank_f64screw_memory memory{}; lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64screw_restore(&storage, &memory)); }
-    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is. */
+    /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); lyapunov_f64screw passed{}; lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64screw_energy(&storage); }

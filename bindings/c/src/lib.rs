@@ -21,6 +21,7 @@ mod export;
 pub mod flat;
 pub mod kept;
 pub mod limits;
+mod named;
 pub mod number;
 #[cfg(feature = "library")]
 mod panic;

@@ -39,14 +39,15 @@ macro_rules! limits {
             use super::{DampingLimit, Status, write};
 
             crate::export::exported! { "damping_limit", $signal, describe;
-                /// The limit cap * mass / period, N.s/m, for an effort that acts `late` ticks late: `mass` is the least that
-                /// moves with the port, kg, and a cap of 0.5 is usual.
+                /// The limit cap * tan(pi / (4 (late + 1))) * mass / period, N.s/m, for an effort that acts `late` ticks late:
+                /// 0 if it acts from this tick on, 1 if it is latched at the next. `mass` is the least that moves with the port,
+                /// kg, and a cap of 0.5 is usual.
                 fn of_mass(cap: $number, mass: $number, period: $number, late: u32, limit: *mut $number) -> Status {
                     // SAFETY: as the caller says.
                     unsafe { write(limit, || Ok(DampingLimit::of_mass(cap, mass, period)?.delayed(late))) }
                 }
-                /// The limit of a mobility, cap / (stiffness * period), m/(N.s), where force comes in and motion goes out:
-                /// `stiffness` is the largest that holds the device, N/m.
+                /// The limit of a mobility, cap * tan(pi / (4 (late + 1))) / (stiffness * period), m/(N.s), where force comes in
+                /// and motion goes out: `stiffness` is the largest that holds the device, N/m; `late` as of a mass.
                 fn of_stiffness(cap: $number, stiffness: $number, period: $number, late: u32, limit: *mut $number) -> Status {
                     // SAFETY: as the caller says.
                     unsafe { write(limit, || Ok(DampingLimit::of_stiffness(cap, stiffness, period)?.delayed(late))) }

@@ -3,6 +3,7 @@
 use core::ffi::c_char;
 
 use crate::check;
+use crate::named::in_c;
 use crate::status::{CODES, Code, REQUIREMENTS, Status};
 
 /// Text that is written into the memory of a caller, as far as it fits.
@@ -149,9 +150,12 @@ pub unsafe extern "C" fn lyapunov_status_text(
         if status.code == Code::Memory as u32 {
             out.add("the stored memory is refused: ");
         }
-        for at in 0..usize::from(status.length) {
-            // SAFETY: name and length are those of a string of the library, by the caller's word.
-            out.byte(unsafe { status.parameter.add(at).read() });
+        let length = usize::from(status.length);
+        // SAFETY: name and length are those of a string of the library, by the caller's word.
+        let parameter = unsafe { core::slice::from_raw_parts(status.parameter, length) };
+        match in_c(parameter).filter(|_| status.code == Code::Parameter as u32) {
+            Some(name) => out.add(name),
+            None => parameter.iter().for_each(|byte| out.byte(*byte)),
         }
         out.add(" is ");
         out.number(status.value);

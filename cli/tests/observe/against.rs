@@ -162,6 +162,39 @@ fn rows_at_another_rate_and_between_ticks_are_laid_over_the_run_there() {
 }
 
 #[test]
+fn rounded_time_stamps_leave_each_row_at_its_tick() {
+    let place = Place::new();
+    let text = fs::read_to_string(shipped("paper-8k-lolc")).unwrap();
+    assert!(text.contains("servo_rate = 100.0"));
+    let thirds = text.replace("servo_rate = 100.0", "servo_rate = 3000.0");
+    let thirds = place.file("thirds.toml", &thirds);
+    for (scene, rate) in [(shipped("paper-8k-lolc"), 100), (thirds, 3000)] {
+        let (rows, _) = place.rows(&scene);
+        let made = |head: &str, stamp: &dyn Fn(usize) -> String| {
+            let row =
+                |(tick, row): (usize, &Row)| format!("{},{:?},{:?}\n", stamp(tick), row.x, row.f);
+            head.to_owned() + "\n" + &rows.iter().enumerate().map(row).collect::<String>()
+        };
+        // To a microsecond; nanoseconds since 1970, of which an f64 tells 256 from 0; the same in seconds.
+        let nanoseconds = |tick: usize| (tick * 1_000_000_000 + rate / 2) / rate;
+        let short = made("t,x,f", &|tick| format!("{:.6}", tick as f64 / rate as f64));
+        let long =
+            made("t[ns],x,f", &|tick| (1_700_000_000_000_000_000 + nanoseconds(tick)).to_string());
+        let seconds = made("t,x,f", &|tick| {
+            let since = nanoseconds(tick);
+            format!("{}.{:09}", 1_700_000_000 + since / 1_000_000_000, since % 1_000_000_000)
+        });
+        for (log, start) in [(short, "scene"), (long, "log"), (seconds, "log")] {
+            let found = against(&scene, &place.file("rounded.csv", &log), &["--start", start]);
+            assert_eq!(found["rows"], rows.len());
+            for quantity in ["position", "force"] {
+                assert_eq!(found[quantity]["largest"], 0.0, "{rate} Hz, {start}: {quantity}");
+            }
+        }
+    }
+}
+
+#[test]
 fn units_and_commas_give_the_identical_difference() {
     let place = Place::new();
     let scene = shipped("paper-8k-lolc");

@@ -40,6 +40,28 @@ fn a_log_in_another_unit_is_told_from_its_own_numbers() {
     assert!(found.len() == 1 && found[0].text.contains("--scale x=1e-3"), "{found:?}");
 }
 
+#[test]
+fn a_log_far_from_0_tells_the_same_wall() {
+    let log = PLAIN.log(800, &mut Chance::new(7));
+    let (names, rows) = log.split_once('\n').unwrap();
+    for place in [10.0, -10.0] {
+        let moved = |line: &str| {
+            let fields: Vec<&str> = line.split(',').collect();
+            let x: f64 = fields[1].parse().unwrap();
+            format!("{},{:?},{}\n", fields[0], place + x, fields[2])
+        };
+        let found = fitted(&format!("{names}\n{}", rows.lines().map(moved).collect::<String>()));
+        let found = found.unwrap();
+        let wall = found.report.wall.unwrap();
+        let [position, stiffness, damping] = PLAIN.wall;
+        // An `f64` tells 10 m to 1e-15 m, and the depth is some millimetres.
+        assert!((wall.position.value - place - position).abs() < 1e-12, "{wall:?}");
+        assert!((wall.stiffness.value / stiffness - 1.0).abs() < 1e-11, "{wall:?}");
+        assert!((wall.damping.value / damping - 1.0).abs() < 1e-11, "{wall:?}");
+        assert!(!says(&found, "late"), "{:?}", found.report.notes);
+    }
+}
+
 /// A log whose hand moves is fitted over short stretches, however little noise there is.
 #[test]
 fn a_clean_log_of_a_hand_that_moves_tells_its_mass() {

@@ -5,6 +5,7 @@ use lyapunov::{Dissipation, Lolc, PortEnergy};
 
 use crate::export::blocks;
 use crate::limits::limit;
+use crate::named::named;
 use crate::told::{Told, ToldEnergy};
 
 blocks! {
@@ -37,7 +38,10 @@ blocks! {
             /// V in the state in which the loop starts, J.
             start: T,
         };
-        |given| Ok(Lolc::new(ToldEnergy::starting(given.start)?, limit(given.damping_limit)?));
+        |given| {
+            let told = named("start", ToldEnergy::starting(given.start))?;
+            Ok(Lolc::new(told, limit(given.damping_limit)?))
+        };
         [life storage account]
     }
     /// LOLC with the credit of a wall's own damper while in contact (Dissipation::gated InContact): the paper's example 2. It can
@@ -57,7 +61,7 @@ blocks! {
         };
         |given| {
             let gate = InContact { position: given.surface };
-            let candidate = (PortEnergy, Dissipation::of(given.wall_damping)?.gated(gate));
+            let candidate = (PortEnergy, named("wall_damping", Dissipation::of(given.wall_damping))?.gated(gate));
             Lolc::new(candidate, limit(given.damping_limit)?).budgeted(given.budget)
         };
         [life stabilizer account]

@@ -14,6 +14,7 @@ use nalgebra::SMatrix;
 
 use crate::export::blocks;
 use crate::limits::limit;
+use crate::named::named;
 use crate::number::Number;
 use crate::port::AxesForm;
 
@@ -29,7 +30,8 @@ fn matrix<T: Number, const N: usize>(rows: &[AxesForm<T, N>; N]) -> SMatrix<T, N
 }
 
 blocks! {
-    /// LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between samples.
+    /// LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between
+    /// samples, and reads no `work`: look at the `accepted` of a reading.
     lolc_sampled on every = {
         "lolc_sampled";
         Lolc<T, (PortEnergy, Dissipation<T>), Sampled>, whole 3 + 0;
@@ -340,12 +342,14 @@ blocks! {
             budget: T,
         };
         |given| {
-            let translation = Dissipation::of(given.translation_damping)?;
-            let credit = PerPart::of(translation, Dissipation::of(given.rotation_damping)?);
+            let damping = |field, damping| named(field, Dissipation::of(damping));
+            let translation = damping("translation_damping", given.translation_damping)?;
+            let rotation = damping("rotation_damping", given.rotation_damping)?;
+            let credit = PerPart::of(translation, rotation);
             let inner = Lolc::new((PortEnergy, credit), DampingLimit::at(T::INFINITY)?);
             let limits = PartLimits {
-                translation: limit(given.translation_limit)?,
-                rotation: limit(given.rotation_limit)?,
+                translation: named("translation_limit", limit(given.translation_limit))?,
+                rotation: named("rotation_limit", limit(given.rotation_limit))?,
             };
             Ok(DirectedDamping::within(inner.budgeted(given.budget)?, limits))
         };

@@ -4,6 +4,7 @@ use lyapunov::stabilizers::{DriftCompensated, Sharing, TwoLayer, TwoPortSide};
 
 use crate::export::blocks;
 use crate::limits::limit;
+use crate::named::named;
 
 blocks! {
     /// Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came.
@@ -30,7 +31,7 @@ blocks! {
             impedance: T,
         };
         |given| {
-            let side = TwoPortSide::new(limit(given.mobility_limit)?);
+            let side = TwoPortSide::new(named("mobility_limit", limit(given.mobility_limit))?);
             DriftCompensated::new(side, given.speed)?.meeting(given.impedance)
         };
         [life stabilizer account side]

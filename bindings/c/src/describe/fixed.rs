@@ -134,7 +134,7 @@ fn signals<T: Named>(header: &mut Header) {
             PoseForm<T>,
             quaternion,
             [T; 4],
-            "Orientation as a quaternion: x, y, z, w. Its length does not matter, unless it is 0."
+            "Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0, but a change of it by orders of magnitude costs digits."
         ),
     ];
     header.fields(&PoseForm::<T>::name(), size_of::<PoseForm<T>>(), &fields);
@@ -218,7 +218,12 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
             V::Scalar,
             "The part of the debt that this tick's correction cannot serve, J; it stays."
         ),
-        field!(Out<V>, accepted, u32, "1 if the sample was accepted; else 0, with a zero effort."),
+        field!(
+            Out<V>,
+            accepted,
+            u32,
+            "1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds."
+        ),
         field!(Out<V>, code, u32, "What the call returned."),
     ];
     header.fields(&Out::<V>::name(), size_of::<Out<V>>(), &fields);
@@ -228,7 +233,7 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
             Checked<V>,
             sample,
             SampleForm<V>,
-            "The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still, and its work is NaN, so that a stabilizer rejects it."
+            "The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still, and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not read it: look at `accepted`."
         ),
         field!(Checked<V>, accepted, u32, "1 if the reading was accepted, else 0."),
         field!(

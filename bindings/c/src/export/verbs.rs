@@ -293,7 +293,7 @@ macro_rules! verbs {
     (drawn, $name:literal, $signal:literal) => {
         $crate::export::exported! { $name, $signal, describe;
             /// The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts),
-            /// while `dissipated` W flow in. What is not finite passes nothing and leaves the tank as it is.
+            /// while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is.
             fn pass(storage: *mut Storage<Block>, period: T, dissipated: T, wished: <V as Port>::Given, flow: <V as Port>::Given, passed: *mut Form) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe { $crate::answered::answer(storage, [wished, flow], passed, |body, [wished, flow]| body.pass(period, dissipated, wished, flow).form()) }

@@ -13,6 +13,7 @@ mod opened;
 mod row;
 mod sample;
 mod scale;
+mod stamp;
 mod time_step;
 mod unit_row;
 

@@ -2,9 +2,11 @@
 
 use super::bad::{Bad, LARGEST, Reason};
 use super::columns::Role;
+use super::fields::bare;
 use super::layout::Layout;
 use super::notation::{Fault, Mark, Notation};
 use super::sample::Sample;
+use super::stamp::Stamp;
 
 /// A row, good or bad.
 #[derive(Debug, PartialEq)]
@@ -22,6 +24,8 @@ pub(super) struct RowReader {
     powers: [i32; 4],
     notation: Notation,
     has_velocity: bool,
+    /// Time of the first good row, s, and its stamp.
+    first: Option<(f64, Option<Stamp>)>,
 }
 
 impl RowReader {
@@ -33,7 +37,7 @@ impl RowReader {
         has_velocity: bool,
     ) -> Self {
         let notation = Notation::of(layout.delimiter);
-        Self { layout, factors, powers, notation, has_velocity }
+        Self { layout, factors, powers, notation, has_velocity, first: None }
     }
 
     /// The decimal mark of the numbers so far, once it is settled.
@@ -59,7 +63,20 @@ impl RowReader {
     fn sample<'a>(&mut self, fields: &[&'a [u8]; 4], line: u64) -> Result<Sample, Reason<'a>> {
         let [t, x, f] = [Role::T, Role::X, Role::F].map(|role| self.value(role, fields));
         let v = self.has_velocity.then(|| self.value(Role::V, fields)).transpose();
-        Ok(Sample { line, t: t?, x: x?, f: f?, v: v? })
+        let (t, x, f, v) = (t?, x?, f?, v?);
+        Ok(Sample { line, t, since: self.since(t, fields[Role::T.index()]), x, f, v })
+    }
+
+    /// The time from the first good row to the row at `time`, whose stamp is in `field`.
+    fn since(&mut self, time: f64, field: &[u8]) -> f64 {
+        let at = Role::T.index();
+        let stamp = || Stamp::of(bare(field), self.powers[at]);
+        let (first, origin) = *self.first.get_or_insert_with(|| (time, stamp()));
+        if first == 0.0 {
+            return time;
+        }
+        let exact = origin.and_then(|origin| stamp()?.since(origin));
+        exact.map_or(time - first, |exact| exact * self.factors[at])
     }
 
     /// The value of a column in SI units.

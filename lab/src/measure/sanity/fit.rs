@@ -39,18 +39,35 @@ impl Fit {
         }
     }
 
-    pub(super) fn dependence(&self) -> Dependence {
+    /// The number of samples.
+    pub(super) fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// Share of the force's variance that position and velocity leave.
+    pub(super) fn left(&self) -> f64 {
+        let (_, [xv, xf, vf]) = self.correlations();
+        (1.0 - weight(xf, vf, xv) * xf - weight(vf, xf, xv) * vf).max(0.0)
+    }
+
+    /// Roots of the sums of squares of position, velocity and force, and correlations xv, xf, vf.
+    fn correlations(&self) -> ([f64; 3], [f64; 3]) {
         // Roots first: a product of two moments may be out of range.
         let [x, v, f] = [0, 1, 2].map(|index| self.moments[index].max(0.0).sqrt());
         let share = |moment: f64, one: f64, other: f64| {
             let share = moment / one / other;
             if share.is_finite() { share.clamp(-1.0, 1.0) } else { 0.0 }
         };
-        let [xv, xf, vf] = [
+        let correlations = [
             share(self.moments[3], x, v),
             share(self.moments[4], x, f),
             share(self.moments[5], v, f),
         ];
+        ([x, v, f], correlations)
+    }
+
+    pub(super) fn dependence(&self) -> Dependence {
+        let ([x, v, f], [xv, xf, vf]) = self.correlations();
         let with_position = weight(xf, vf, xv);
         let with_velocity = weight(vf, xf, xv);
         let slope = |weight: f64, size: f64| {

@@ -3,6 +3,7 @@
 use lyapunov::accumulators::{Accumulator, Compensated};
 
 use super::fit::Fit;
+use super::hold::Hold;
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
 use crate::files::log::{GAP, Sample};
 use crate::text::found;
@@ -71,6 +72,7 @@ pub(crate) struct LogSigns {
     has_given: bool,
     touched: u64,
     fit: Fit,
+    hold: Hold,
     /// Energy by the force of each row, `Σ f v T`, J, and its extremes.
     sampled: f64,
     lowest: f64,
@@ -97,6 +99,7 @@ impl LogSigns {
             has_given: false,
             touched: 0,
             fit: Fit::default(),
+            hold: Hold::default(),
             sampled: 0.0,
             lowest: 0.0,
             highest: 0.0,
@@ -107,7 +110,7 @@ impl LogSigns {
     pub(crate) fn add(&mut self, row: &Sample) {
         let Sample { t: time, x: position, f: force, .. } = *row;
         let last = self.last.replace(*row).unwrap_or(*row);
-        let (period, displacement) = (time - last.t, position - last.x);
+        let (period, displacement) = (row.since - last.since, position - last.x);
         let mean = if period > 0.0 { displacement / period } else { 0.0 };
         let is_gap = period > GAP * self.usual;
         self.usual = if is_gap || period == 0.0 { self.usual } else { period };
@@ -125,6 +128,7 @@ impl LogSigns {
             self.has_given = self.held.value() < 0.0;
         }
         let threshold = self.contact.unwrap_or(SHARE * self.all.force.size);
+        self.hold.add(row, threshold);
         if force.abs() > threshold {
             self.touched += 1;
             if period > 0.0 {
@@ -142,8 +146,9 @@ impl LogSigns {
         let reversed = self.reversed();
         let gives = self.held.value() < 0.0 || reversed.is_some();
         let sizes = if gives { &self.by_hand } else { &self.all };
+        let hold = self.hold.finish();
         let told =
-            [time(period), motion(sizes), strong(sizes), self.faint(), self.idle(), reversed];
+            [time(period), motion(sizes), strong(sizes), self.faint(), self.idle(), reversed, hold];
         told.into_iter().flatten().collect()
     }
 

@@ -1,6 +1,7 @@
 //! Signs of a mistake in a scene, a run or a log: [docs/sanity.md](../../../../docs/sanity.md) has the thresholds.
 
 mod fit;
+mod hold;
 mod log;
 mod run;
 mod scene;
@@ -24,6 +25,8 @@ pub enum Sign {
     Untouched,
     /// A force never acts.
     Idle,
+    /// A force does not act from its row of a log until the next.
+    Hold,
     /// A stabilizer stands before an environment that it does not assume.
     Outside,
 }

@@ -74,7 +74,7 @@ impl Recording {
         self.stretches.iter().map(Stretch::len).sum()
     }
 
-    /// The first and the last of these rows' times, s.
+    /// The first and the last of these rows' times since the log's first row, s.
     pub(super) fn times(&self) -> Option<(f64, f64)> {
         Some((*self.stretches.first()?.times.first()?, *self.stretches.last()?.times.last()?))
     }
@@ -127,7 +127,7 @@ impl Recording {
 
 /// The time step from a row to the next.
 fn step(row: &(Sample, bool), next: &(Sample, bool)) -> TimeStep {
-    TimeStep { length: next.0.t - row.0.t, spans: next.1 }
+    TimeStep { length: next.0.since - row.0.since, spans: next.1 }
 }
 
 fn stretches(rows: &[(Sample, bool)], period: f64) -> Vec<Stretch> {
@@ -137,7 +137,7 @@ fn stretches(rows: &[(Sample, bool)], period: f64) -> Vec<Stretch> {
     };
     let long = rows.chunk_by(goes_on).filter(|it| it.len() >= FEWEST);
     let stretch = |rows: &[(Sample, bool)]| Stretch {
-        times: rows.iter().map(|it| it.0.t).collect(),
+        times: rows.iter().map(|it| it.0.since).collect(),
         positions: rows.iter().map(|it| it.0.x).collect(),
         forces: rows.iter().map(|it| it.0.f).collect(),
         velocities: rows.iter().filter_map(|it| it.0.v).collect(),

@@ -99,7 +99,8 @@ impl WallReport {
             let variance = slope.dot(&(spread.covariance * slope)).max(0.0);
             spread.factor * (variance + (off / by).powi(2)).sqrt()
         };
-        let by_place = Vector4::new(-place / stiffness, 0.0, -stiffness.recip(), 0.0);
+        let by_place =
+            Vector4::new(-wall.beyond_origin() / stiffness, 0.0, -stiffness.recip(), 0.0);
         let of_place = reach(by_place, stiffness);
         let of_stiffness = reach(Vector4::x(), wall.travel);
         let of_damping = reach(Vector4::y(), wall.speed);

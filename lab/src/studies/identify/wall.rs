@@ -47,8 +47,10 @@ struct Touch {
 /// A wall `f = max(0, K (x − x0) + B v)` for `x > x0`, fitted to a log.
 #[derive(Clone, Debug)]
 pub(super) struct Wall {
-    /// Stiffness in N/m, damping in N·s/m, and the force at `x = 0`, N.
+    /// Stiffness in N/m, damping in N·s/m, and the force at the origin, N.
     pub(super) at: Vector4<f64>,
+    /// The log's position nearest to 0, from which positions are fitted: far from it their squares leave no digits, m.
+    origin: f64,
     pub(super) spread: Option<Spread>,
     pub(super) seen: Seen,
     /// Rows by which its force is late.
@@ -73,12 +75,17 @@ pub(super) struct Wall {
 impl Wall {
     /// Where it stands, m.
     pub(super) fn position(&self) -> f64 {
+        self.origin + self.beyond_origin()
+    }
+
+    /// Where it stands from the origin, m.
+    pub(super) fn beyond_origin(&self) -> f64 {
         -self.at[2] / self.at[0]
     }
 
     /// Its force, N.
     pub(super) fn force_at(&self, position: f64, velocity: f64) -> f64 {
-        wall(&self.at, self.edge, position, velocity)
+        wall(&self.at, self.edge, position - self.origin, velocity)
     }
 
     /// The wall that explains the force of a log best; `fitted` are the positions from the row `late` of each
@@ -94,13 +101,15 @@ impl Wall {
         if largest <= 0.0 {
             return None;
         }
+        let origin = origin(stretches);
         let has_velocity = stretches.iter().all(|it| !it.velocities.is_empty());
         let sources =
             [Some(Seen::Measured), has_velocity.then_some(Seen::WithVelocity), Some(Seen::Fitted)];
         let all =
             sources.into_iter().flatten().flat_map(|seen| (0..=LAGS).map(move |lag| (seen, lag)));
         let walls = all.flat_map(|(seen, lag)| {
-            let touches = touches(stretches, fitted, late, seen, lag);
+            let mut touches = touches(stretches, fitted, late, seen, lag);
+            touches.iter_mut().for_each(|it| it.position -= origin);
             TOUCH.map(|share| Self::fit(&touches, share, largest, (seen, lag)))
         });
         let walls = walls.flatten();
@@ -108,7 +117,7 @@ impl Wall {
         let best =
             walls.reduce(|best, next| if next.cost < 0.98 * best.cost { next } else { best })?;
         let unsure = if best.seen == Seen::Fitted { unsure } else { 0.0 };
-        (best.error <= EXPLAINED * best.force).then_some(Self { unsure, ..best })
+        (best.error <= EXPLAINED * best.force).then_some(Self { unsure, origin, ..best })
     }
 
     fn fit(
@@ -154,6 +163,7 @@ impl Wall {
             travel: mean_square(&|it| it.position - middle).sqrt(),
             speed: mean_square(&|it| it.velocity - drift).sqrt(),
             unsure: 0.0,
+            origin: 0.0,
             edge,
             cost: touches.iter().map(|it| off(it).powi(2)).sum::<f64>() / touches.len() as f64,
         })
@@ -180,7 +190,7 @@ fn scores(touches: &[Touch], contact: &[bool], at: &Vector4<f64>) -> Vec<Score> 
     of_contact.map(score).collect()
 }
 
-/// The plane through the rows in contact: stiffness, damping (0 or more) and force at `x = 0`.
+/// The plane through the rows in contact: stiffness, damping (0 or more) and force at the origin.
 fn line(touches: &[Touch], contact: &[bool]) -> Option<Vector4<f64>> {
     let scores = scores(touches, contact, &Vector4::zeros());
     if scores.len() < FEWEST {
@@ -202,6 +212,14 @@ fn line(touches: &[Touch], contact: &[bool]) -> Option<Vector4<f64>> {
         Some(at) if at[1] >= 0.0 => Some(at),
         _ => solved([true, false, true, false]),
     }
+}
+
+/// The position nearest to 0 between the ends of the log, m.
+fn origin(stretches: &[Stretch]) -> f64 {
+    let positions = || stretches.iter().flat_map(|it| &it.positions);
+    let low = positions().copied().fold(f64::INFINITY, f64::min);
+    let high = positions().copied().fold(low, f64::max);
+    low.max(0.0).min(high)
 }
 
 fn touches(

@@ -18,7 +18,7 @@ pub(super) struct Step {
 impl Step {
     /// Its length, s.
     pub(super) fn period(&self) -> f64 {
-        self.to.t - self.from.t
+        self.to.since - self.from.since
     }
 
     /// Its time alone.

@@ -135,7 +135,7 @@ impl Watch {
             bad_rows: self.bad,
             start: first.t,
             end: last.t,
-            duration: last.t - first.t,
+            duration: last.since - first.since,
             median_period: period,
             gaps: account.gaps,
             starts_in_contact: first.f.abs() > contacts.threshold,

@@ -22,8 +22,8 @@ pub use difference::{Difference, Differences};
 pub use laid::Laid;
 use picture::Overlay;
 
-/// Share of a period within which a row belongs to a tick: time stamps are rounded.
-const SAME: f64 = 1e-6;
+/// Share of a period within which a row belongs to a tick: time stamps are rounded, and before a tick another force acts.
+const SAME: f64 = 1e-2;
 
 /// The number of steps that the median period is estimated from.
 const STEPS: usize = 1024;
@@ -218,7 +218,7 @@ impl<R: Read> Against<R> {
     fn time(&self, row: &Sample) -> f64 {
         match self.start {
             Start::Scene => row.t,
-            Start::Log => row.t - self.first.t,
+            Start::Log => row.since - self.first.since,
         }
     }
 
