@@ -86,7 +86,7 @@ impl Status {
 }
 
 /// What a value must be, in the order of `Status::requirement`, and whether a bound follows.
-pub(crate) const REQUIREMENTS: [(&str, &str); 8] = [
+pub(crate) const REQUIREMENTS: [(&str, &str); 9] = [
     ("finite", ""),
     ("above 0 and finite", ""),
     ("at least 0 and finite", ""),
@@ -94,6 +94,7 @@ pub(crate) const REQUIREMENTS: [(&str, &str); 8] = [
     ("at most ", " "),
     ("at least ", " and finite"),
     ("such that the result is within the range of the scalar", ""),
+    ("above 0 (infinity: no limit)", ""),
     ("as the library requires it", ""),
 ];
 
@@ -106,7 +107,8 @@ fn numbered(requirement: Requirement) -> (u16, f64) {
         Requirement::AtMost(most) => (4, most),
         Requirement::AtLeast(least) => (5, least),
         Requirement::InRange => (6, 0.0),
-        _ => (7, 0.0),
+        Requirement::AboveZero => (7, 0.0),
+        _ => (8, 0.0),
     }
 }
 
