@@ -7,3 +7,7 @@ mod map;
 mod observe;
 mod run;
 mod scene;
+
+/// A third of the default allocator's code; all of it is sent with the page.
+#[global_allocator]
+static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();

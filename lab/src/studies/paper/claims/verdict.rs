@@ -14,10 +14,10 @@ const NOT_REPRODUCED: f64 = 0.05;
 pub enum Verdict {
     /// The lower end of the interval is above 95 %.
     Reproduced,
-    /// It depends on these constants, the strongest first; on none by itself if there are none and the interval lies between
-    /// 5 and 95 %.
+    /// The interval lies between 5 and 95 %: it depends on these constants, the strongest first; on none by itself if there are
+    /// none.
     DependsOn(Vec<&'static str>),
-    /// The interval holds 5 or 95 %, and no constant moves the claim.
+    /// The interval holds 5 or 95 %.
     TooFew,
     /// The upper end of the interval is below 5 %.
     NotReproduced,
@@ -29,10 +29,10 @@ impl Verdict {
             Self::Reproduced
         } else if high < NOT_REPRODUCED {
             Self::NotReproduced
-        } else if influences.is_empty() && !(low > NOT_REPRODUCED && high < REPRODUCED) {
-            Self::TooFew
-        } else {
+        } else if low > NOT_REPRODUCED && high < REPRODUCED {
             Self::DependsOn(influences.iter().map(|influence| influence.constant).collect())
+        } else {
+            Self::TooFew
         }
     }
 
