@@ -2,6 +2,7 @@
 
 pub mod accuracy;
 pub mod bound;
+mod chance;
 pub mod compare;
 pub mod effects;
 pub mod explain;

@@ -2,8 +2,7 @@
 
 use nalgebra::{Matrix4, Vector4};
 
-/// The 97.5 % point of the normal distribution.
-const NORMAL: f64 = 1.959_963_984_540_054;
+use crate::studies::chance::student;
 
 /// The most blocks, and the fewest rows in one on average.
 const BLOCKS: f64 = 20.0;
@@ -82,14 +81,4 @@ fn blocks(
         blocks.push((sum, known));
     }
     blocks
-}
-
-/// The 97.5 % point of Student's distribution (Cornish and Fisher's expansion in 1 / freedom).
-fn student(freedom: f64) -> f64 {
-    let z = NORMAL;
-    let (z3, z5) = (z.powi(3), z.powi(5));
-    let first = (z3 + z) / 4.0;
-    let second = (5.0 * z5 + 16.0 * z3 + 3.0 * z) / 96.0;
-    let third = (3.0 * z.powi(7) + 19.0 * z5 + 17.0 * z3 - 15.0 * z) / 384.0;
-    z + (first + (second + third / freedom) / freedom) / freedom
 }

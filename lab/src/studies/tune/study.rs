@@ -1,6 +1,5 @@
 //! Tuning of one stabilizer on one scene.
 
-use std::cmp::Ordering;
 use std::fmt;
 use std::ops::ControlFlow;
 
@@ -17,6 +16,7 @@ use crate::files::scene::Conflict;
 use crate::simulate::Criterion;
 use crate::simulate::ensemble::{Ensemble, Moves};
 use crate::simulate::family::{StabilizerName, StabilizerNames};
+use crate::studies::chance::is_uneven;
 
 /// Reason why a stabilizer is not tuned.
 #[derive(Clone, Debug, PartialEq)]
@@ -228,16 +228,7 @@ impl Tuned {
     /// The change of the mean cost from the setting of the scene to the tuned one, on the runs that tuning never saw.
     pub fn change(&self) -> Change {
         let [default, tuned] = &self.judged;
-        match tuned.bounded().cmp(&default.bounded()) {
-            Ordering::Greater => return Change::Better,
-            Ordering::Less => return Change::Worse,
-            Ordering::Equal => {}
-        }
-        match tuned.change_from(default) {
-            Some((change, half)) if change + half < 0.0 => Change::Better,
-            Some((change, half)) if change - half > 0.0 => Change::Worse,
-            _ => Change::Undecided,
-        }
+        Change::between(default, tuned)
     }
 
     /// The text of the scene with the tuned stabilizer, TOML with every default in place.
@@ -263,15 +254,28 @@ impl Tuned {
 /// Comparison of a tuned setting with the scene's, on the runs that tuning never saw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// More runs stay bounded, or as many at a cost whose 95 % interval lies below.
+    /// More runs stay bounded than chance explains; or no fewer do, at a cost whose 95 % interval lies below.
     Better,
-    /// Fewer runs stay bounded, or as many at a cost whose 95 % interval lies above.
+    /// Fewer runs stay bounded than chance explains; or no more do, at a cost whose 95 % interval lies above.
     Worse,
-    /// As many runs stay bounded, and the interval of the change holds 0.
+    /// Neither: it may be chance, or what the cost gains the bounded runs may lose.
     Undecided,
 }
 
 impl Change {
+    fn between(default: &Trial, tuned: &Trial) -> Self {
+        let more = tuned.bounded_only_here(default);
+        let fewer = default.bounded_only_here(tuned);
+        if is_uneven(more, fewer) {
+            return if more > fewer { Self::Better } else { Self::Worse };
+        }
+        match tuned.change_from(default) {
+            Some((change, half)) if change + half < 0.0 && more >= fewer => Self::Better,
+            Some((change, half)) if change - half > 0.0 && more <= fewer => Self::Worse,
+            _ => Self::Undecided,
+        }
+    }
+
     /// The word.
     pub fn word(self) -> &'static str {
         match self {
@@ -279,5 +283,52 @@ impl Change {
             Self::Worse => "worse",
             Self::Undecided => "no difference",
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A trial of runs at `costs`, and of more of them that grow.
+    fn trial(costs: &[f64], grow: usize) -> Trial {
+        let bounded = costs.iter().copied().map(Some);
+        Trial::of(bounded.chain(std::iter::repeat_n(None, grow)).collect())
+    }
+
+    #[test]
+    fn a_difference_in_bounded_runs_counts_from_six_runs_on() {
+        for (runs, change) in [(1, Change::Undecided), (5, Change::Undecided), (6, Change::Better)]
+        {
+            assert_eq!(
+                Change::between(&trial(&[], 8), &trial(&[1.0; 8][..runs], 8 - runs)),
+                change
+            );
+        }
+        // A cost that rises in the two runs that are bounded in both does not matter then.
+        let (none, all) = (trial(&[1.0, 1.1], 6), trial(&[3.0; 8], 0));
+        assert_eq!(Change::between(&none, &all), Change::Better);
+        assert_eq!(Change::between(&all, &none), Change::Worse);
+    }
+
+    /// The mean of the changes is -1.5 and its error 0.5, so the interval with the factor of one degree of freedom, 12.7, holds 0,
+    /// though that with the normal one, 1.96, would not. Of four such changes the error is 1 / sqrt 12 and the factor 3.18.
+    #[test]
+    fn a_change_of_two_runs_is_less_than_one_of_four() {
+        let (before, after) = ([5.0; 4], [4.0, 3.0, 4.0, 3.0]);
+        let of = |runs: usize| [trial(&before[..runs], 0), trial(&after[..runs], 0)];
+        let ([few, fewer], [some, less]) = (of(2), of(4));
+        assert_eq!(Change::between(&few, &fewer), Change::Undecided);
+        assert_eq!(Change::between(&some, &less), Change::Better);
+        assert_eq!(Change::between(&less, &some), Change::Worse);
+        assert_eq!(Change::between(&trial(&[2.0], 0), &trial(&[1.0], 0)), Change::Undecided);
+    }
+
+    /// Cheaper where both are bounded, and one run fewer is: neither better nor worse.
+    #[test]
+    fn what_costs_a_bounded_run_is_not_better_for_its_cost() {
+        let (all, cheap) = (trial(&[5.0, 5.0, 5.0, 5.0, 5.0], 0), trial(&[3.9, 4.0, 4.1, 4.0], 1));
+        assert_eq!(Change::between(&all, &cheap), Change::Undecided);
+        assert_eq!(Change::between(&cheap, &all), Change::Undecided);
     }
 }

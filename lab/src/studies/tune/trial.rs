@@ -1,5 +1,7 @@
 //! Runs of one setting over an ensemble.
 
+use crate::studies::chance::student;
+
 /// The costs of the runs of one setting.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trial {
@@ -47,12 +49,15 @@ impl Trial {
         let (count, middle) = (changes.len() as f64, mean(&changes)?);
         let spread = changes.iter().map(|change| (change - middle).powi(2)).sum::<f64>();
         let error = (spread / (count - 1.0) / count).sqrt();
-        error.is_finite().then_some((middle, NORMAL * error))
+        error.is_finite().then(|| (middle, student(count - 1.0) * error))
+    }
+
+    /// The runs that are bounded in this and not in `other`.
+    pub(super) fn bounded_only_here(&self, other: &Self) -> usize {
+        let pairs = self.costs.iter().zip(&other.costs);
+        pairs.filter(|(own, its)| own.is_some() && its.is_none()).count()
     }
 }
-
-/// Quantile of the normal distribution that leaves 2.5 % on either side.
-const NORMAL: f64 = 1.959964;
 
 fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
@@ -82,7 +87,8 @@ mod tests {
         let after = Trial::of(vec![Some(9.0), Some(18.0), Some(27.0), Some(1.0)]);
         let (change, half) = after.change_from(&before).unwrap();
         assert_abs_diff_eq!(change, -2.0, epsilon = 1e-12);
-        assert_abs_diff_eq!(half, 1.959964 / 3.0_f64.sqrt(), epsilon = 1e-6);
+        // Student's factor for two degrees of freedom.
+        assert_abs_diff_eq!(half, 4.302653 / 3.0_f64.sqrt(), epsilon = 1e-6);
         assert_eq!(Trial::of(vec![Some(1.0)]).change_from(&Trial::of(vec![Some(2.0)])), None);
     }
 }

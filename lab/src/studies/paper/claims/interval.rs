@@ -1,5 +1,7 @@
 //! Confidence interval of a share.
 
+use crate::studies::chance::at_least;
+
 /// Share of the error on either side of an interval of 95 %.
 const TAIL: f64 = 0.025;
 
@@ -29,19 +31,6 @@ fn share_at(is_below: impl Fn(f64) -> bool) -> f64 {
         if is_below(middle) { low = middle } else { high = middle }
     }
     0.5 * (low + high)
-}
-
-/// The probability that `held` or more of `of` hold where each does with probability `share`, inside 0 to 1.
-fn at_least(held: usize, of: usize, share: f64) -> f64 {
-    let (mut logarithm, odds) = (of as f64 * (1.0 - share).ln(), (share / (1.0 - share)).ln());
-    let mut sum = 0.0;
-    for count in 0..=of {
-        if count >= held {
-            sum += logarithm.exp();
-        }
-        logarithm += ((of - count) as f64 / (count + 1) as f64).ln() + odds;
-    }
-    sum.min(1.0)
 }
 
 #[cfg(test)]
