@@ -72,7 +72,7 @@ impl<V: Signal, const N: usize> TickRing<V, N> {
             *oldest = Some(RecordedTick { sample: *sample, correction: *correction });
         }
         self.next = if self.next + 1 < N { self.next + 1 } else { 0 };
-        self.seen = self.seen.saturating_add(1);
+        self.seen = self.seen.wrapping_add(1);
     }
 
     /// The ticks that it holds, oldest first.
