@@ -82,9 +82,7 @@ function choose(candidate) {
 
 // The frame.
 
-let [stage, loops, last] = [null, null, 0];
-
-let cost = 0;
+let [stage, loops, last, cost] = [null, null, 0, 0];
 
 function frame(now) {
   requestAnimationFrame(frame);

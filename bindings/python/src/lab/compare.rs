@@ -64,7 +64,7 @@ pub(crate) fn compare(
     })
 }
 
-/// What makes stabilizers written in Python, by their names.
+/// Makers of stabilizers written in Python, by their names.
 fn makers(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own>> {
     let Ok(mapping) = given.cast::<PyMapping>() else {
         return Err(PyTypeError::new_err(format!(

@@ -7,7 +7,7 @@ use super::member::{Member, Unstated};
 /// Least main effect of a constant that a verdict names.
 const LEAST: f64 = 0.05;
 
-/// How far beyond chance such an effect is, as a deviate of the standard normal distribution: 3e-5, for some hundred claims and
+/// Distance of such an effect from chance, as a deviate of the standard normal distribution: 3e-5, for some hundred claims and
 /// constants.
 const DEVIATE: f64 = 4.0;
 
