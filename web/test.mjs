@@ -89,6 +89,8 @@ async function dropped(browser) {
     assert.ok(!(await page.value("document.querySelector('#verdicts').textContent.includes('NaN')")), name);
     const isHeld = await page.value("!document.querySelector('#show-live').disabled");
     assert.equal(isHeld, !/^\[space\]/m.test(text), name);
+    // Under a hand that stands before the wall, wherever that is.
+    if (isHeld) assert.ok(await page.value("lyapunov.loops.letGo(), lyapunov.loops.forward(0.05), lyapunov.loops.lanes.every((it) => !(it.gone > 0))"), name);
   }
   await closed(page);
 }
@@ -236,6 +238,7 @@ async function taken(browser) {
   await page.value(`location.hash = ${JSON.stringify(hash)}; 0`);
   await page.until("document.querySelector('#candidate').value === 'lolc-spring'");
   assert.deepEqual(await verdicts(page), shown);
+  // The cap of one stabilizer is that of the other, too.
   const own = { 0.1: "0.1", inf: "f64::INFINITY" };
   for (const [cap, said] of Object.entries(own)) {
     const text = `${readFileSync(join(root, "scenes/paper-8k-none.toml"), "utf8")}\n[stabilizer.lolc]\ncandidate = "device-damping"\ndamping_cap = ${cap}\n`;
@@ -245,10 +248,21 @@ async function taken(browser) {
     assert.equal((await verdicts(page))[2], JSON.parse(lyapunov("run", path, "--json")).verdict);
     await page.value("document.querySelector('#lines button').click()");
     assert.ok((await page.value("document.querySelector('#code').textContent")).includes(`of_mass(${said},`), cap);
+    await page.value("document.querySelector('#why-of button[data-index=\"1\"]').click(); document.querySelector('#lines button').click()");
+    assert.ok((await page.value("document.querySelector('#code').textContent")).includes(`of_mass(${said},`), `popc ${cap}`);
+    await page.value("document.querySelector('#why-of button[data-index=\"2\"]').click()");
     const rows = lyapunov("run", path, "--csv", "-", "--quiet");
     writeFileSync(path, await saved(page, "#download"));
     assert.equal(lyapunov("run", path, "--csv", "-", "--quiet"), rows, cap);
   }
+  const bare = join(root, "scenes/paper-8k-none.toml");
+  const sampled = `${readFileSync(bare, "utf8")}\n[stabilizer.popc]\nwork = "sampled"\n`;
+  await drop(page, [["sampled.toml", sampled]]);
+  await page.until("document.querySelector('#done').textContent === 'sampled.toml is open.'");
+  assert.ok(await page.value("[...document.querySelectorAll('#lines button')].every((it) => it.disabled)"));
+  await drop(page, [["bare.toml", readFileSync(bare, "utf8")]]);
+  await page.until("document.querySelector('#done').textContent === 'bare.toml is open.'");
+  assert.equal(await saved(page, "#download-rows"), lyapunov("run", bare, "--csv", "-", "--quiet"));
   await closed(page);
 }
 

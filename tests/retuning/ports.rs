@@ -103,7 +103,7 @@ fn counters_out_of_range_are_refused() {
     );
 }
 
-/// Any stored count goes on with the next call: a time begins again, and a number of ticks stays the largest.
+/// Any stored count goes on with the next call, from 0.
 #[test]
 fn the_largest_count_goes_on() {
     let rest = PortSample::starting(PERIOD, -1.0, 0.0);

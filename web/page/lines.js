@@ -5,11 +5,12 @@ import { value } from "./scene.js";
 /** The numbers of a scene that a loop needs under the stabilizer `name`. */
 function numbers(tree, name) {
   const of = (key) => value(tree, key) ?? 0;
-  const cap = value(tree, `stabilizer.${name.split("-")[0]}.damping_cap`);
-  const late = cap === undefined ? of("effects.delay.ticks") : 0;
-  const note = cap === undefined ? "half of m / T, less where the force is late" : "the scene's share of m / T";
+  const [delay, own] = [of("effects.delay.ticks"), value(tree, `stabilizer.${name.split("-")[0]}.damping_cap`)];
+  const isUsual = Math.abs(own / (0.5 * Math.tan(Math.PI / (4 * (delay + 1)))) - 1) < 1e-9;
+  const [cap, late] = isUsual ? [0.5, delay] : [own, 0];
+  const note = isUsual ? "half of m / T, less where the force is late" : "the scene's share of m / T";
   return {
-    cap: cap ?? 0.5, late, note,
+    cap, late, note,
     period: 1 / tree.servo_rate, mass: of("device.mass"), damping: of("device.damping"),
     stiffness: of("environment.wall.stiffness"), wall: of("environment.wall.damping"), surface: of("environment.wall.position"),
   };
@@ -61,7 +62,7 @@ function c(tree, name) {
   }[name] ?? ["popc_f64", []];
   const none = name === "none";
   const lines = [
-    "#include <lyapunov.h>", "",
+    ...(it.cap === Infinity ? ["#include <math.h>"] : []), "#include <lyapunov.h>", "",
     `static const double period = ${real(it.period)};       /* s */`,
     ...(none ? [] : [`static const double mass = ${real(it.mass)};         /* kg, the smallest mass that moves */`]),
     `static const double stiffness = ${real(it.stiffness)};    /* N/m */`, `static const double wall_damping = ${real(it.wall)}; /* N.s/m */`, `static const double surface = ${real(it.surface)};      /* m */`, "",
@@ -70,7 +71,7 @@ function c(tree, name) {
     ...(none ? [] : [`    lyapunov_${block} stabilizer;`, `    lyapunov_${block}_parameters parameters = { 0 };`, "    lyapunov_correction_f64 correction;"]),
     "    lyapunov_sample_f64 sample = { 0 };", "    double before = read(), applied = 0.0;", "    int tick;", "",
     ...(none ? [] : [
-      `    if (lyapunov_damping_limit_f64_of_mass(${real(it.cap, "1.0 / 0.0")}, mass, period, ${it.late}, &parameters.damping_limit).code != LYAPUNOV_OK) return 1;`, ...extra,
+      `    if (lyapunov_damping_limit_f64_of_mass(${real(it.cap, "HUGE_VAL")}, mass, period, ${it.late}, &parameters.damping_limit).code != LYAPUNOV_OK) return 1;`, ...extra,
       `    if (lyapunov_${block}_init(&stabilizer, &parameters).code != LYAPUNOV_OK) return 1;`]),
     "    sample.period = period;", "    for (tick = 0; tick < ticks; ++tick) {", "        double depth, wall;", "",
     "        sample.position = read();", "        sample.displacement = sample.position - before;", "        sample.velocity = sample.displacement / period;",

@@ -24,12 +24,13 @@ export class Loops {
    *  held, for the reason in `refused`. */
   take(scenes, tree) {
     const [kind, about] = Object.entries(tree.environment ?? {})[0] ?? [""];
-    const moved = (about?.position ?? 0) - this.surface;
-    Object.assign(this, { scenes, rate: tree.servo_rate, hasWall: /wall|hunt/.test(kind), surface: this.surface + moved, hand: this.hand + moved, before: this.before + moved });
+    const surface = about?.position ?? 0;
+    const moved = surface - this.surface;
+    Object.assign(this, { scenes, rate: tree.servo_rate, hasWall: /wall|hunt/.test(kind), surface, hand: this.hand + moved, before: this.before + moved });
     try {
       this.lanes.forEach((lane, index) => {
         const place = lane.rows[lane.rows.length - LIVE.width + LIVE.x];
-        this.grasp(index, Math.abs(place) < FAR ? place : this.hand);
+        this.grasp(index, this.isNear(place) ? place : this.hand);
         Object.assign(lane, { fled: 0, gone: 0 });
       });
       this.held = true;
@@ -37,6 +38,11 @@ export class Loops {
       Object.assign(this, { held: false, refused: error.message });
     }
     return this.held;
+  }
+
+  /** Whether a place is so near the surface that its loop has not run away. */
+  isNear(place) {
+    return Math.abs(place - this.surface) < FAR;
   }
 
   /** Puts a loop at `place`, at standstill: not inside the wall, where the first tick would throw it out. */
@@ -78,7 +84,7 @@ export class Loops {
       const rows = this.engine.numbers("advance", "", index, ticks, this.before, this.hand);
       for (let at = 0; at < rows.length; at += LIVE.width) rows[at] = began + at / LIVE.width / this.rate;
       const place = rows[rows.length - LIVE.width + LIVE.x];
-      if (!(Math.abs(place) < FAR)) Object.assign(lane, { gone: GONE, fled: lane.fled + 1 });
+      if (!this.isNear(place)) Object.assign(lane, { gone: GONE, fled: lane.fled + 1 });
       lane.rows = joined(lane.rows, rows, this.since - SEEN);
     });
     this.before = this.hand;
@@ -103,7 +109,7 @@ export class Loops {
     }
     const end = rows.length - LIVE.width;
     const last = end >= 0 ? rows[end + LIVE.x] : this.hand;
-    const place = Number.isFinite(last) ? last : FAR;
+    const place = Number.isFinite(last) ? last : this.surface + FAR;
     const note = gone > 0 ? "ran away" : fled ? `ran away ${fled}×` : "";
     return { place, range: low <= high ? [low, high] : [place, place], force: end >= 0 ? rows[end + LIVE.force] : 0, peak, note };
   }

@@ -109,10 +109,7 @@ function look(at) {
 
 // Everything that follows from a scene.
 
-let show = () => {};
-let family = null;
-let map = null;
-let later = 0;
+let [show, family, map, later] = [() => {}, null, null, 0];
 
 function ask(kind, about) {
   told += 1;
@@ -120,7 +117,6 @@ function ask(kind, about) {
 }
 
 const TIP = "Drag, or use the arrow keys.";
-
 /** Keeps the scene, and what is shown of it, in the address. */
 function keep() {
   const { tree, candidate, under, look } = state;
@@ -152,9 +148,11 @@ function update() {
   show(state.tree);
   state.stale = true;
   map.show(state.tree, names());
+  const [own] = Object.values(shown().stabilizer ?? {});
+  const isTold = state.tree.environment?.wall && !state.tree.space && (!own || own.work === "held" && own.ledger === "plain");
   for (const button of $("lines").children) {
-    button.disabled = !state.tree.environment?.wall || Boolean(state.tree.space);
-    button.title = button.disabled ? "There are lines for a wall on a line only." : "";
+    button.disabled = !isTold;
+    button.title = isTold ? "" : "There are lines for a wall on a line only, with held work and a plain ledger.";
   }
   for (const button of $("why-of").children) {
     const name = names()[button.dataset.index];
@@ -179,12 +177,15 @@ function take(tree, chosen = {}) {
   return runs;
 }
 
-/** The loop that a scene names by its stabilizer, and the candidate; nothing where it is none of the three. */
+/** The loop that a scene names by its stabilizer, and the candidate; the one without where it names another than the three. */
 function named({ stabilizer }) {
-  if (stabilizer?.popc) return { under: "popc" };
   const candidate = `lolc-${stabilizer?.lolc?.candidate}`;
-  return CANDIDATES[candidate] ? { candidate, under: candidate } : {};
+  if (CANDIDATES[candidate]) return { candidate, under: candidate };
+  return { under: stabilizer?.popc ? "popc" : "none" };
 }
+
+/** The scene of the loop that is explained, with every default. */
+const shown = () => bare(JSON.parse(engine.text("read", `${state.under}\n${toml(state.tree)}`)));
 
 /** Applies a remedy: keys of the scene; those of a stabilizer choose the loop to look at. */
 function remedy(set) {
@@ -199,7 +200,7 @@ function hear({ data }) {
   if (data.kind === "map") map.hear(data);
   if (data.kind !== "explain") return;
   if (data.refused) $("why-said").textContent = data.refused;
-  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, { ...data, under: state.under, tree: state.tree }, remedy);
+  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, remedy);
 }
 
 function presets() {
@@ -264,7 +265,7 @@ function opened(name, text) {
     if (!take(tree, chosen)) return;
     look("run");
     loops.letGo();
-    const other = chosen.under ? [] : Object.keys(tree.stabilizer ?? {});
+    const other = Object.keys(tree.stabilizer ?? {}).filter(() => chosen.under === "none");
     $("said").textContent = `The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}`;
     $("done").textContent = `${name} is open.`;
   } catch (error) {
@@ -276,7 +277,7 @@ function opened(name, text) {
 
 function place() {
   const mm = (loops.hand - loops.surface) * 1e3;
-  const text = `${Math.abs(mm).toFixed(1)} mm ${mm > 0 ? "into" : "before"} the wall`;
+  const text = loops.hasWall ? `${Math.abs(mm).toFixed(1)} mm ${mm > 0 ? "into" : "before"} the wall` : `${mm.toFixed(1)} mm`;
   for (const [key, to] of [["aria-valuenow", mm.toFixed(1)], ["aria-valuetext", text]]) $("wall").setAttribute(key, to);
 }
 
@@ -298,7 +299,7 @@ function hands() {
   for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
   canvas.addEventListener("keydown", (event) => {
     const by = event.shiftKey ? 0.002 : 0.0005;
-    const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: -1, End: 1 }[event.key];
+    const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: loops.surface - 1, End: loops.surface + 1 }[event.key];
     if (to === undefined) return;
     event.preventDefault();
     reach(to);
@@ -376,7 +377,7 @@ async function begin(module, source) {
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
   presets();
   hands();
-  wire({ $, engine, now: () => ({ tree: state.tree, name: state.under, title: title(state.under) }), open });
+  wire({ $, engine, now: () => ({ tree: shown(), name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
   share();
   addEventListener("hashchange", share);

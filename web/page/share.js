@@ -1,7 +1,7 @@
 // What one takes along: the address, the scene, its rows, lines for a loop of one's own.
 
 import { LANGUAGES } from "./lines.js";
-import { bare, toml } from "./scene.js";
+import { toml } from "./scene.js";
 
 function save(name, text) {
   const link = document.createElement("a");
@@ -11,7 +11,7 @@ function save(name, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1e3);
 }
 
-/** Wires the buttons; `now` tells the scene and the stabilizer, `open` takes dropped files. */
+/** Wires the buttons; `now` tells the scene, its stabilizer and what that is called, `open` takes dropped files. */
 export function wire({ $, engine, now, open }) {
   const done = (text) => ($("done").textContent = text);
   const copy = async (text, what, of = "") => {
@@ -24,10 +24,7 @@ export function wire({ $, engine, now, open }) {
       $("code").textContent = text;
     }
   };
-  const scene = () => {
-    const { tree, name } = now();
-    return toml(bare(JSON.parse(engine.text("read", `${name}\n${toml(tree)}`))));
-  };
+  const scene = () => toml(now().tree);
   $("copy-address").addEventListener("click", () => copy(location.href, "The address"));
   $("download").addEventListener("click", () => {
     save("scene.toml", scene());

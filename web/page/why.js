@@ -1,7 +1,5 @@
 // The explanation of a run: its sentence, its energies, its remedies as buttons.
 
-import { value } from "./scene.js";
-
 /** The parts of a balance in the words of the command, in its order. */
 const PARTS = [
   ["hold", "in", "through the hold"], ["delay", "in", "through the delay"], ["filter", "in", "through the filter"],
@@ -22,17 +20,17 @@ const cell = (row, text, tag = "td") => {
 export const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)))).replaceAll("-", "−");
 
 /** The sentence on a run, where the hint of the command has none. */
-function sentence(hint, told, under) {
+function sentence(hint, told, name) {
   if (hint) return hint.replace(/^why\s+/, "").replace(/^./, (first) => first.toUpperCase()) + ".";
   const radius = told.spectral_radius;
-  const held = under !== "none" && told.whole_run.controller !== 0;
+  const held = name !== "none" && told.whole_run.controller !== 0;
   const but = held ? "the stabilizer holds it." : "this run is not in contact long enough to grow.";
   const linear = radius === null ? "" : radius < 1 ? " The loop alone is stable in contact." : ` The loop alone is not stable in contact; ${but}`;
   return { settles: "It comes to rest.", swinging: "It stays bounded and does not come to rest.", "too short": "The run is too short to judge." }[told.verdict] + linear;
 }
 
-export function tell(parts, { sentence: hint, told, under, tree }, take) {
-  parts.said.textContent = sentence(hint, told, under);
+export function tell(parts, { name, sentence: hint, told }, take) {
+  parts.said.textContent = sentence(hint, told, name);
   const { first_contact: first, whole_run: whole } = told;
   const table = parts.energies;
   table.replaceChildren();
@@ -50,10 +48,10 @@ export function tell(parts, { sentence: hint, told, under, tree }, take) {
   } else {
     cell(table.createTBody().insertRow(), "The wall is never touched.");
   }
-  remedies(parts.remedies, told, tree, take);
+  remedies(parts.remedies, told, take);
 }
 
-function remedies(place, told, tree, take) {
+function remedies(place, told, take) {
   place.replaceChildren();
   const note = document.createElement("p");
   place.append(note);
@@ -68,7 +66,7 @@ function remedies(place, told, tree, take) {
     button.className = "remedy";
     const name = document.createElement("b");
     name.textContent = Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
-    const late = set.servo_rate && value(tree, "effects.delay.ticks");
+    const late = set.servo_rate && told.groups.delay_ticks;
     const felt = peak ? `peak force ${digits(peak)} N, off the wall's own force by ${digits(error)} N` : "no force acts: the wall is not touched any more";
     what.textContent = `${verdict}: ${felt}${late ? `; its delay is then ${digits((1e3 * late) / set.servo_rate)} ms, as many ticks as before` : ""}`;
     button.append(name, what);

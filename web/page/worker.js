@@ -30,7 +30,7 @@ const jobs = {
   async explain({ scene, name }, tell) {
     const text = engine.text("explain", `${name}\n${scene}`);
     const at = text.indexOf("\n");
-    tell({ sentence: text.slice(0, at), told: JSON.parse(text.slice(at + 1)) });
+    tell({ name, sentence: text.slice(0, at), told: JSON.parse(text.slice(at + 1)) });
   },
 
   /** The verdicts over two axes, and the exact limit where the stiffness is one of them. */

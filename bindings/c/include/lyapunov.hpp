@@ -171,7 +171,7 @@ template <class Signal> struct HeldTick {
 template <class T> struct DampingLimit {
     T most{};
 
-    // The limit cap * mass / period, for an effort that acts `late` ticks late.
+    // The limit cap * tan(pi / (4 (late + 1))) * mass / period, for an effort that acts `late` ticks late.
     Status of_mass(T cap, T mass, T period, std::uint32_t late = 0) noexcept
     {
         if constexpr (std::is_same<T, float>::value) {
@@ -181,7 +181,7 @@ template <class T> struct DampingLimit {
         }
     }
 
-    // The limit of a mobility, cap / (stiffness * period), m/(N.s).
+    // The limit of a mobility, cap * tan(pi / (4 (late + 1))) / (stiffness * period), m/(N.s).
     Status of_stiffness(T cap, T stiffness, T period, std::uint32_t late = 0) noexcept
     {
         if constexpr (std::is_same<T, float>::value) {

@@ -15,7 +15,7 @@ pub(crate) fn named<R>(
 /// Parameters of the library that fields and arguments have other names for.
 ///
 /// Only a text is made by them, so that a program which asks for none does without.
-const NAMES: [(&str, &str); 35] = [
+const NAMES: [(&str, &str); 36] = [
     ("barrier decay", "decay"),
     ("compensation speed", "speed"),
     ("correction rate", "rate"),
@@ -38,6 +38,7 @@ const NAMES: [(&str, &str); 35] = [
     ("rise ticks", "ticks"),
     ("shared part", "share"),
     ("spread ticks", "ticks"),
+    ("tank ceiling", "ceiling"),
     ("tank floor", "floor"),
     ("tank gain", "gain"),
     ("tank level", "level"),

@@ -75,8 +75,8 @@ fn fields_of_other_members_are_named() {
     refused!(force_bound, of_f64, { damping: 1.0 => -1.0 });
     refused!(force_bounding, of_f64, { damping: 1.0 => -1.0 });
     refused!(tank, of_f64,
-        { floor: 0.0 => -1.0, power: 1.0 => -1.0, device_damping: 0.0 => -1.0 } start: 1.0, ceiling: 2.0);
-    refused!(energy_tank, of_f64, { floor: 0.0 => -1.0, power: 1.0 => -1.0 } start: 1.0, ceiling: 2.0);
+        { floor: 0.0 => -1.0, ceiling: 2.0 => NAN, power: 1.0 => -1.0, device_damping: 0.0 => -1.0 } start: 1.0);
+    refused!(energy_tank, of_f64, { floor: 0.0 => -1.0, ceiling: 2.0 => NAN, power: 1.0 => -1.0 } start: 1.0);
     refused!(energy_bounding, of_f64, { damping: 1.0 => -1.0, period: 1e-3 => 0.0 } late: 0);
     refused!(least_norm, of_f64, {
         damping_limit: 1.0 => -1.0, decay: 0.5 => -1.0, device_damping: 0.0 => -1.0, budget: 0.0 => NAN,

@@ -32,6 +32,7 @@ impl<T: Scalar> TankLimits<T> {
     fn checked(self, held: &'static str) -> Result<Self, ParameterError> {
         let Self { start, floor, ceiling, power } = self;
         Requirement::NonNegative.check("tank floor", floor)?;
+        Requirement::Limit.check("tank ceiling", ceiling)?;
         for lane in 0..T::LANES {
             let energy = start.lane(lane);
             Requirement::AtLeast(floor.lane(lane)).check(held, energy)?;
