@@ -68,8 +68,8 @@ mod tests {
         assert_abs_diff_eq!(student(1e9), NORMAL, epsilon = 1e-8);
     }
 
-    /// Where all pairs fall to one side, one case in 2 to the power of their number less one: 1 / 16 of five, 1 / 32 of six. One of
-    /// nine falls to the other side in 2 (1 + 9) / 512 of the cases, one of eight in 2 (1 + 8) / 256.
+    /// Closed forms. All pairs fall to one side in one case in 2 to the power of their number less one: 1 / 16 of five, 1 / 32 of
+    /// six. One of nine falls to the other side in 2 (1 + 9) / 512 of the cases, one of eight in 2 (1 + 8) / 256.
     #[test]
     fn five_pairs_are_chance_and_six_are_not() {
         for (one, other, uneven) in [

@@ -1,10 +1,10 @@
 //! Hand-written runs of the shipped files, which use nothing of the library but its random numbers.
 
-use approx::abs_diff_eq;
 use lyapunov::effects::{Random, Source};
 use lyapunov_lab::compare::Named;
-use lyapunov_lab::teleoperation::{Entrant, Score, Teleoperator};
+use lyapunov_lab::teleoperation::{Entrant, Teleoperator};
 
+use crate::teleoperation::found::Found;
 use crate::teleoperation::shipped::{NAMES, compared, parsed, text};
 
 const T: f64 = 1e-3;
@@ -12,8 +12,8 @@ const MASS: f64 = 0.3;
 const DAMPING: f64 = 1.0;
 const HAND: f64 = 100.0;
 const START: f64 = -0.01;
-const WALL: f64 = 2000.0;
-const SURFACE: f64 = -0.005;
+pub(super) const WALL: f64 = 2000.0;
+pub(super) const SURFACE: f64 = -0.005;
 const K: f64 = 200.0;
 const B: f64 = 2.0;
 const CAP: f64 = 0.5;
@@ -266,23 +266,6 @@ impl Law {
     }
 }
 
-/// Result of a run.
-#[derive(Debug, Default)]
-struct Found {
-    master: Vec<f64>,
-    slave: Vec<f64>,
-    command: f64,
-    drift: f64,
-    energy: f64,
-    felt: f64,
-    felt_end: f64,
-    touch: Option<f64>,
-    given: f64,
-    kept: f64,
-    shortfall: f64,
-    active: [usize; 2],
-}
-
 fn run(file: &Teleoperator, entrant: Entrant) -> Found {
     let seed = file.channel.seed.map_or(0, |seed| seed.get());
     let (mut there, mut back) = (Post::of(file, seed), Post::of(file, !seed));
@@ -330,50 +313,6 @@ fn run(file: &Teleoperator, entrant: Entrant) -> Found {
         taken += near.own + far.own;
     }
     found
-}
-
-impl Found {
-    #[track_caller]
-    fn equals(&self, score: &Score) {
-        let last = self.master.len() - 1;
-        let (x, y) = (self.master[last], self.slave[last]);
-        let pairs = self.master.iter().zip(&self.slave);
-        let error = pairs.map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-        let deepest = self.slave.iter().copied().fold(SURFACE, f64::max) - SURFACE;
-        for (what, told, hand, size) in [
-            ("energy", score.energy, 1e3 * self.energy, 1e3 * self.energy),
-            ("error", score.error, 1e3 * error, 1e3 * error),
-            ("error at the end", score.error_end, 1e3 * (x - y), 1e3 * error),
-            ("drift", score.drift, 1e3 * self.drift, 1e3 * error),
-            ("force felt", score.felt, self.felt, self.felt),
-            ("force at the end", score.felt_end, self.felt_end, self.felt),
-            ("contact", score.contact, WALL * deepest, WALL * deepest),
-            ("given", score.given, 1e3 * self.given, 1.0 + 1e3 * self.given),
-            ("shortfall", score.shortfall, 1e3 * self.shortfall, 1.0 + 1e3 * self.shortfall),
-        ] {
-            let told = told.unwrap();
-            let near = (told - hand).abs() <= 1e-7 * size;
-            assert!(near, "{what} of {}: {told}, {hand}", score.stabilizer);
-        }
-        assert_eq!(score.touch, self.touch, "{}", score.stabilizer);
-        match score.kept {
-            Some(kept) => {
-                let (hand, size) = (1e3 * self.kept, 1.0 + 1e3 * self.kept.abs());
-                assert!((kept - hand).abs() <= 1e-7 * size, "{}: {kept}", score.stabilizer);
-            }
-            None => assert_eq!(score.stabilizer, "two-layer"),
-        }
-        for (told, count) in [score.active_master, score.active_slave].into_iter().zip(self.active)
-        {
-            let share = 100.0 * count as f64 / self.master.len() as f64;
-            // Where a correction is about the threshold, rounding decides whether it counts.
-            assert!(
-                abs_diff_eq!(told, share, epsilon = 0.1),
-                "{}: {told}, {share}",
-                score.stabilizer
-            );
-        }
-    }
 }
 
 #[test]

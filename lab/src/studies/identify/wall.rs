@@ -73,12 +73,12 @@ pub(super) struct Wall {
 }
 
 impl Wall {
-    /// Where it stands, m.
+    /// Its surface, m.
     pub(super) fn position(&self) -> f64 {
         self.origin + self.beyond_origin()
     }
 
-    /// Where it stands from the origin, m.
+    /// Its surface from the origin, m.
     pub(super) fn beyond_origin(&self) -> f64 {
         -self.at[2] / self.at[0]
     }
