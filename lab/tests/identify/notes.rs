@@ -41,10 +41,10 @@ fn a_log_in_another_unit_is_told_from_its_own_numbers() {
 }
 
 #[test]
-fn a_log_far_from_0_tells_the_same_wall() {
+fn a_log_far_from_0_tells_the_same_numbers() {
     let log = PLAIN.log(800, &mut Chance::new(7));
     let (names, rows) = log.split_once('\n').unwrap();
-    for place in [10.0, -10.0] {
+    for place in [10.0, -10.0, 1000.0] {
         let moved = |line: &str| {
             let fields: Vec<&str> = line.split(',').collect();
             let x: f64 = fields[1].parse().unwrap();
@@ -54,10 +54,17 @@ fn a_log_far_from_0_tells_the_same_wall() {
         let found = found.unwrap();
         let wall = found.report.wall.unwrap();
         let [position, stiffness, damping] = PLAIN.wall;
-        // An `f64` tells 10 m to 1e-15 m, and the depth is some millimetres.
-        assert!((wall.position.value - place - position).abs() < 1e-12, "{wall:?}");
-        assert!((wall.stiffness.value / stiffness - 1.0).abs() < 1e-11, "{wall:?}");
-        assert!((wall.damping.value / damping - 1.0).abs() < 1e-11, "{wall:?}");
+        // An `f64` tells a place to 2e-16 of it, and the depth is some millimetres.
+        let digits = place.abs() * 1e-12;
+        assert!((wall.position.value - place - position).abs() < 0.1 * digits, "{wall:?}");
+        assert!((wall.stiffness.value / stiffness - 1.0).abs() < digits, "{wall:?}");
+        assert!((wall.damping.value / damping - 1.0).abs() < digits, "{wall:?}");
+        let report = &found.report;
+        let rest = report.rest.unwrap();
+        assert!((rest.value - place - PLAIN.rest).abs() < 1e-7, "{rest:?}");
+        assert!((report.mass.value / PLAIN.mass - 1.0).abs() < 1e-6, "{report:?}");
+        assert!((report.stiffness.value / PLAIN.stiffness - 1.0).abs() < 1e-6, "{report:?}");
+        assert!(report.replayed.unwrap() < 1e-8, "{report:?}");
         assert!(!says(&found, "late"), "{:?}", found.report.notes);
     }
 }

@@ -145,7 +145,7 @@ impl Device {
         &self.told.fit.pass.fitted
     }
 
-    /// Position and velocity of the first row.
+    /// Position, from the recording's origin on, and velocity of the first row.
     pub(super) fn start(&self) -> [f64; 2] {
         before(&self.told.fit.at, self.ahead, self.told.fit.pass.start)
     }
@@ -181,12 +181,12 @@ impl Device {
         self.ratio(SPRING, MOBILITY)
     }
 
-    /// The position at which the spring is relaxed, m; none where no spring is told.
+    /// The position at which the spring is relaxed, from the recording's origin on, m; none where no spring is told.
     pub(super) fn rest(&self) -> Option<Estimate> {
         self.stiffness().is_told().then(|| self.ratio(BIAS, SPRING))
     }
 
-    /// The constant force, N.
+    /// The constant force at the recording's origin, N.
     pub(super) fn load(&self) -> Estimate {
         self.ratio(BIAS, MOBILITY)
     }

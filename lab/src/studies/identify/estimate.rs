@@ -30,6 +30,12 @@ impl Estimate {
         Self { low: self.low.min(other.low), high: self.high.max(other.high), ..self }
     }
 
+    /// A position from `origin` on, with its interval, as one from 0 on.
+    pub(super) fn from(self, origin: f64) -> Self {
+        let [value, low, high] = [self.value, self.low, self.high].map(|it| origin + it);
+        Self { value, low, high }
+    }
+
     /// Number and interval, with as many digits as tell its ends apart.
     pub(super) fn words(&self) -> [String; 3] {
         let size = self.low.abs().max(self.high.abs());

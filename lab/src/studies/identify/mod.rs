@@ -90,7 +90,7 @@ impl Identified {
         let device = Device::of(&recording).map_err(|fault| fault.about(name))?;
         let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());
         let mut report = Report::of(name, &recording, &device, wall.as_ref());
-        let scene = scene::toml(&report);
+        let scene = scene::toml(&report, recording.origin);
         let replay = Replay::of(&scene, &recording);
         report.replayed = replay.as_ref().map(|it| it.error);
         Ok(Self { report, scene, recording, device, wall, replay })

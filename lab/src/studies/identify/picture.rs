@@ -21,6 +21,11 @@ impl Identified {
         panels.into_iter().fold(figure, Figure::with_panel)
     }
 
+    /// A position of the recording, mm.
+    fn place(&self, x: f64) -> f64 {
+        MILLI * (self.recording.origin + x)
+    }
+
     fn start(&self) -> f64 {
         self.recording.times().map_or(0.0, |it| it.0)
     }
@@ -28,7 +33,8 @@ impl Identified {
     fn motion(&self) -> Panel {
         let start = self.start();
         let of_log = self.recording.stretches.iter().flat_map(|it| {
-            let points = it.times.iter().zip(&it.positions).map(|(t, x)| (t - start, MILLI * x));
+            let points =
+                it.times.iter().zip(&it.positions).map(|(t, x)| (t - start, self.place(*x)));
             points.chain([(f64::NAN, f64::NAN)])
         });
         let log: Vec<_> = of_log.collect();
@@ -75,20 +81,15 @@ impl Identified {
     fn force(&self) -> Panel {
         let late = self.wall.as_ref().map_or(0, |wall| wall.lag);
         let rows = self.recording.stretches.iter().flat_map(|it| {
-            it.positions.iter().zip(it.forces.iter().skip(late)).map(|(x, f)| (MILLI * x, *f))
+            it.positions.iter().zip(it.forces.iter().skip(late)).map(|(x, f)| (self.place(*x), *f))
         });
         let panel = Panel::new("(c) force over position", "position, mm", "force, N")
             .with_series(Series::dots("log", 0, rows.collect()));
         let Some(wall) = &self.wall else { return panel };
-        let (low, high) = self
-            .recording
-            .stretches
-            .iter()
-            .flat_map(|it| &it.positions)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
+        let [low, high] = self.recording.ends();
         let place = wall.position();
         let places = [low, place, place, high.max(place)];
-        let line = places.map(|x| (MILLI * x, wall.force_at(x, 0.0)));
+        let line = places.map(|x| (self.place(x), wall.force_at(x, 0.0)));
         let label = if wall.seen == Seen::Fitted {
             "wall at rest, over the fitted position"
         } else {

@@ -17,7 +17,10 @@ const FEWEST: usize = 8;
 /// The good rows of a log, in stretches without a gap.
 #[derive(Clone, Debug)]
 pub struct Recording {
+    /// The rows, their positions from the origin on.
     pub(super) stretches: Vec<Stretch>,
+    /// The log's position nearest to 0, m: squares of positions far from it leave no digits.
+    pub(super) origin: f64,
     /// The median period, s.
     pub(super) period: f64,
     pub(super) bad_rows: BadRows,
@@ -66,7 +69,8 @@ impl Recording {
         }
         let period = median_period(rows.windows(2).map(|pair| step(&pair[0], &pair[1])));
         let look_at = signs.finish(period);
-        Ok(Self { stretches: stretches(&rows, period), period, bad_rows, look_at })
+        let origin = origin(&rows);
+        Ok(Self { stretches: stretches(&rows, origin, period), origin, period, bad_rows, look_at })
     }
 
     /// The number of rows that are fitted to.
@@ -91,7 +95,7 @@ impl Recording {
         self.stretches.iter().flat_map(|it| &it.forces).fold(0.0_f64, |most, it| most.max(it.abs()))
     }
 
-    /// The least and the largest position, m.
+    /// The least and the largest position, from the origin on, m.
     pub(super) fn ends(&self) -> [f64; 2] {
         let positions = || self.stretches.iter().flat_map(|it| &it.positions);
         let low = positions().copied().fold(f64::INFINITY, f64::min);
@@ -130,7 +134,14 @@ fn step(row: &(Sample, bool), next: &(Sample, bool)) -> TimeStep {
     TimeStep { length: next.0.since - row.0.since, spans: next.1 }
 }
 
-fn stretches(rows: &[(Sample, bool)], period: f64) -> Vec<Stretch> {
+/// The position nearest to 0 between the ends of the log, m.
+fn origin(rows: &[(Sample, bool)]) -> f64 {
+    let low = rows.iter().map(|it| it.0.x).fold(f64::INFINITY, f64::min);
+    let high = rows.iter().map(|it| it.0.x).fold(low, f64::max);
+    low.max(0.0).min(high)
+}
+
+fn stretches(rows: &[(Sample, bool)], origin: f64, period: f64) -> Vec<Stretch> {
     let goes_on = |row: &(Sample, bool), next: &(Sample, bool)| {
         let step = step(row, next);
         !step.spans && !step.is_gap(period)
@@ -138,7 +149,7 @@ fn stretches(rows: &[(Sample, bool)], period: f64) -> Vec<Stretch> {
     let long = rows.chunk_by(goes_on).filter(|it| it.len() >= FEWEST);
     let stretch = |rows: &[(Sample, bool)]| Stretch {
         times: rows.iter().map(|it| it.0.since).collect(),
-        positions: rows.iter().map(|it| it.0.x).collect(),
+        positions: rows.iter().map(|it| it.0.x - origin).collect(),
         forces: rows.iter().map(|it| it.0.f).collect(),
         velocities: rows.iter().filter_map(|it| it.0.v).collect(),
     };

@@ -32,7 +32,7 @@ impl Replay {
             // Between ticks the motion is a straight line.
             let share =
                 if after.0 > before.0 { (time - before.0) / (after.0 - before.0) } else { 0.0 };
-            sum += (before.1 + share * (after.1 - before.1) - position).powi(2);
+            sum += (before.1 - recording.origin + share * (after.1 - before.1) - position).powi(2);
             count += 1;
         }
         let error = (sum / f64::from(count)).sqrt();

@@ -36,7 +36,7 @@ pub struct Report {
     pub stiffness: Estimate,
     /// Where that spring is relaxed, m; none where no spring is told from 0.
     pub rest: Option<Estimate>,
-    /// Constant force at the position 0, N: that of the spring and of a load.
+    /// Constant force at the log's position nearest to 0, N: that of the spring and of a load.
     pub load: Estimate,
     /// Position in m and velocity in m/s at the start.
     pub start: [f64; 2],
@@ -89,7 +89,7 @@ pub struct WallReport {
 }
 
 impl WallReport {
-    fn of(wall: &Wall) -> Option<Self> {
+    fn of(wall: &Wall, origin: f64) -> Option<Self> {
         let spread = wall.spread?;
         let [stiffness, damping] = [wall.at[0], wall.at[1]];
         let place = wall.position();
@@ -99,14 +99,13 @@ impl WallReport {
             let variance = slope.dot(&(spread.covariance * slope)).max(0.0);
             spread.factor * (variance + (off / by).powi(2)).sqrt()
         };
-        let by_place =
-            Vector4::new(-wall.beyond_origin() / stiffness, 0.0, -stiffness.recip(), 0.0);
+        let by_place = Vector4::new(-place / stiffness, 0.0, -stiffness.recip(), 0.0);
         let of_place = reach(by_place, stiffness);
         let of_stiffness = reach(Vector4::x(), wall.travel);
         let of_damping = reach(Vector4::y(), wall.speed);
         let size = place.abs().max(wall.travel);
         Some(Self {
-            position: Estimate::about(place, place, of_place, size),
+            position: Estimate::about(place, place, of_place, size).from(origin),
             stiffness: Estimate::about(stiffness, stiffness, of_stiffness, stiffness),
             damping: Estimate::about(damping, damping, of_damping, damping),
             rows: wall.rows,
@@ -124,7 +123,9 @@ impl Report {
         wall: Option<&Wall>,
     ) -> Self {
         let (first, last) = recording.times().unwrap_or_default();
-        let [nearest, furthest] = recording.ends();
+        let origin = recording.origin;
+        let [nearest, furthest] = recording.ends().map(|it| origin + it);
+        let [position, velocity] = device.start();
         Self {
             log: name.to_owned(),
             rows: recording.rows(),
@@ -136,10 +137,10 @@ impl Report {
             mass: device.mass(),
             damping: device.damping(),
             stiffness: device.stiffness(),
-            rest: device.rest(),
+            rest: device.rest().map(|it| it.from(origin)),
             load: device.load(),
-            start: device.start(),
-            wall: wall.and_then(WallReport::of),
+            start: [origin + position, velocity],
+            wall: wall.and_then(|it| WallReport::of(it, origin)),
             furthest,
             nearest,
             resolution: recording.resolution(),

@@ -9,15 +9,16 @@ use crate::text::legible;
 /// Share of a tick by which a log may end after the last one.
 const ROUNDING: f64 = 1e-6;
 
-/// The scene that `report` tells, every fitted number with its interval.
-pub(super) fn toml(report: &Report) -> String {
+/// The scene that `report` tells, every fitted number with its interval; `origin` is the log's position nearest to 0.
+pub(super) fn toml(report: &Report, origin: f64) -> String {
     let mut text = String::new();
     // Writing to a string never fails.
-    let _ = write(&mut text, report);
+    let _ = write(&mut text, report, origin);
     text
 }
 
-fn write(out: &mut String, report: &Report) -> std::fmt::Result {
+fn write(out: &mut String, report: &Report, origin: f64) -> std::fmt::Result {
+    let place = |it: f64| origin + tidy(it - origin);
     let name = legible(&report.log);
     writeln!(out, "# Fitted to {name}: mass, damping, spring and wall with their 95 % intervals.")?;
     let rate = tidy(tidy(report.mean_period).recip());
@@ -28,26 +29,29 @@ fn write(out: &mut String, report: &Report) -> std::fmt::Result {
         out,
         "# Look at x: it should follow the log.\nduration = {duration:?}\nservo_rate = {rate:?}"
     )?;
-    writeln!(out, "\n[operator]\nstiffness = {}", told(&report.stiffness, "N/m"))?;
-    if let Some(rest) = &report.rest {
-        writeln!(out, "rest = {}", told(rest, "m"))?;
+    writeln!(out, "\n[operator]\nstiffness = {}", told(&report.stiffness, "N/m", tidy))?;
+    match &report.rest {
+        Some(rest) => writeln!(out, "rest = {}", told(rest, "m", place))?,
+        // The load is the force there.
+        None if origin != 0.0 => writeln!(out, "rest = {origin:?}")?,
+        None => {}
     }
     writeln!(
         out,
         "\n# Hand and device move as one.\n[device]\nmass = {}",
-        told(&report.mass, "kg")
+        told(&report.mass, "kg", tidy)
     )?;
-    writeln!(out, "damping = {}", told(&report.damping, "N.s/m"))?;
-    let [position, velocity] = report.start.map(tidy);
+    writeln!(out, "damping = {}", told(&report.damping, "N.s/m", tidy))?;
+    let (position, velocity) = (place(report.start[0]), tidy(report.start[1]));
     writeln!(out, "\n[initial]\nposition = {position:?}\nvelocity = {velocity:?}")?;
     match &report.wall {
         Some(wall) => {
-            writeln!(out, "\n[environment.wall]\nposition = {}", told(&wall.position, "m"))?;
-            writeln!(out, "stiffness = {}", told(&wall.stiffness, "N/m"))?;
-            writeln!(out, "damping = {}", told(&wall.damping, "N.s/m"))?;
+            writeln!(out, "\n[environment.wall]\nposition = {}", told(&wall.position, "m", place))?;
+            writeln!(out, "stiffness = {}", told(&wall.stiffness, "N/m", tidy))?;
+            writeln!(out, "damping = {}", told(&wall.damping, "N.s/m", tidy))?;
         }
         None => {
-            let place = tidy(report.furthest);
+            let place = place(report.furthest);
             writeln!(
                 out,
                 "\n# The log tells no wall.\n[environment.wall]\nposition = {place:?}\nstiffness = 0.0"
@@ -61,14 +65,14 @@ fn write(out: &mut String, report: &Report) -> std::fmt::Result {
         writeln!(out, "\n[effects.delay]\nticks = {}", report.delay())?;
     }
     if report.rest.is_none() && report.load.value != 0.0 {
-        writeln!(out, "\n[effects.load]\nforce = {}", told(&report.load, "N"))?;
+        writeln!(out, "\n[effects.load]\nforce = {}", told(&report.load, "N", tidy))?;
     }
     Ok(())
 }
 
-fn told(it: &Estimate, unit: &str) -> String {
+fn told(it: &Estimate, unit: &str, digits: impl Fn(f64) -> f64) -> String {
     let [_, low, high] = it.words();
-    format!("{:?} # {unit}, {low} to {high}", tidy(it.value))
+    format!("{:?} # {unit}, {low} to {high}", digits(it.value))
 }
 
 /// A number with ten digits, since no log tells more, and 0 where a number of a scene is as good as that.

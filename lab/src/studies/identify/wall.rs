@@ -49,8 +49,6 @@ struct Touch {
 pub(super) struct Wall {
     /// Stiffness in N/m, damping in N·s/m, and the force at the origin, N.
     pub(super) at: Vector4<f64>,
-    /// The log's position nearest to 0, from which positions are fitted: far from it their squares leave no digits, m.
-    origin: f64,
     pub(super) spread: Option<Spread>,
     pub(super) seen: Seen,
     /// Rows by which its force is late.
@@ -73,19 +71,14 @@ pub(super) struct Wall {
 }
 
 impl Wall {
-    /// Its surface, m.
+    /// Its surface, from the recording's origin on, m.
     pub(super) fn position(&self) -> f64 {
-        self.origin + self.beyond_origin()
-    }
-
-    /// Its surface from the origin, m.
-    pub(super) fn beyond_origin(&self) -> f64 {
         -self.at[2] / self.at[0]
     }
 
-    /// Its force, N.
+    /// Its force at a position from the recording's origin on, N.
     pub(super) fn force_at(&self, position: f64, velocity: f64) -> f64 {
-        wall(&self.at, self.edge, position - self.origin, velocity)
+        wall(&self.at, self.edge, position, velocity)
     }
 
     /// The wall that explains the force of a log best; `fitted` are the positions from the row `late` of each
@@ -101,15 +94,13 @@ impl Wall {
         if largest <= 0.0 {
             return None;
         }
-        let origin = origin(stretches);
         let has_velocity = stretches.iter().all(|it| !it.velocities.is_empty());
         let sources =
             [Some(Seen::Measured), has_velocity.then_some(Seen::WithVelocity), Some(Seen::Fitted)];
         let all =
             sources.into_iter().flatten().flat_map(|seen| (0..=LAGS).map(move |lag| (seen, lag)));
         let walls = all.flat_map(|(seen, lag)| {
-            let mut touches = touches(stretches, fitted, late, seen, lag);
-            touches.iter_mut().for_each(|it| it.position -= origin);
+            let touches = touches(stretches, fitted, late, seen, lag);
             TOUCH.map(|share| Self::fit(&touches, share, largest, (seen, lag)))
         });
         let walls = walls.flatten();
@@ -117,7 +108,7 @@ impl Wall {
         let best =
             walls.reduce(|best, next| if next.cost < 0.98 * best.cost { next } else { best })?;
         let unsure = if best.seen == Seen::Fitted { unsure } else { 0.0 };
-        (best.error <= EXPLAINED * best.force).then_some(Self { unsure, origin, ..best })
+        (best.error <= EXPLAINED * best.force).then_some(Self { unsure, ..best })
     }
 
     fn fit(
@@ -163,7 +154,6 @@ impl Wall {
             travel: mean_square(&|it| it.position - middle).sqrt(),
             speed: mean_square(&|it| it.velocity - drift).sqrt(),
             unsure: 0.0,
-            origin: 0.0,
             edge,
             cost: touches.iter().map(|it| off(it).powi(2)).sum::<f64>() / touches.len() as f64,
         })
@@ -212,14 +202,6 @@ fn line(touches: &[Touch], contact: &[bool]) -> Option<Vector4<f64>> {
         Some(at) if at[1] >= 0.0 => Some(at),
         _ => solved([true, false, true, false]),
     }
-}
-
-/// The position nearest to 0 between the ends of the log, m.
-fn origin(stretches: &[Stretch]) -> f64 {
-    let positions = || stretches.iter().flat_map(|it| &it.positions);
-    let low = positions().copied().fold(f64::INFINITY, f64::min);
-    let high = positions().copied().fold(low, f64::max);
-    low.max(0.0).min(high)
 }
 
 fn touches(
