@@ -79,7 +79,7 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
 
     #[inline(always)]
     fn lower(&mut self, most: T) {
-        self.sum = self.sum.smaller(most);
+        self.sum = most.smaller(self.sum);
     }
 
     #[inline(always)]

@@ -1,8 +1,8 @@
 //! Memory-based passivation: forces on the way out no larger than those kept from the way in.
 
 use lyapunov_core::{
-    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Snapshot,
-    Stabilizer,
+    Accumulator, Correction, Mask, ParameterError, Plain, PortSample, Requirement, Scalar,
+    Snapshot, Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -93,10 +93,11 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
         let sound = sample.sound() & inside.finite();
         let booked = self.energy.book(sample.work);
         let moved = T::choose(sound, sample.displacement, zero);
-        let now = T::choose(sound, inside, self.last.unwrap_or(zero));
+        let last = self.last.unwrap_or(T::of(f64::NAN));
+        let now = T::choose(sound, inside, last);
         // Where it was, and not where the displacement leads back to: an edge of a cell is met to the bit.
-        let before = self.last.unwrap_or(now - moved);
-        self.last = Some(now);
+        let before = T::choose(last.finite(), last, now - moved);
+        self.last = now.finite().any().then_some(now);
         let (inwards, outwards) = (moved.above(zero), moved.below(zero));
 
         let applied = T::choose(sound, sample.applied.larger(zero), zero);
@@ -124,7 +125,7 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
 account_in_sum!(impl[T: Scalar, const N: usize] MemoryBased<T, N>, in T, is energy);
 
 impl<T: Scalar, const N: usize> Snapshot for MemoryBased<T, N> {
-    /// The last depth, m, the forces in the cells, N, and the energy, J.
+    /// The last depth, m, NaN in a lane that has none, the forces in the cells, N, and the energy, J.
     type State = (Option<T>, SVector<T, N>, T);
 
     fn state(&self) -> Self::State {
@@ -132,9 +133,6 @@ impl<T: Scalar, const N: usize> Snapshot for MemoryBased<T, N> {
     }
 
     fn restored(self, (last, forces, energy): Self::State) -> Result<Self, ParameterError> {
-        if let Some(last) = last {
-            Requirement::Finite.check("stored depth", last)?;
-        }
         let forces = Requirement::NonNegative.check_axes("stored force", forces)?.into();
         Ok(Self { last, forces, energy: self.energy.restored(energy)?, ..self })
     }

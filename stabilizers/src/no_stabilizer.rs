@@ -2,6 +2,8 @@
 
 use lyapunov_core::{Correction, PortSample, Signal, Stabilizer};
 
+use crate::StabilizerExt;
+
 /// Null stabilizer: every effort passes unchanged, even one that is not finite.
 ///
 /// ```text
@@ -28,5 +30,7 @@ impl<V: Signal> Stabilizer<V> for NoStabilizer {
         Correction::none(effort)
     }
 }
+
+impl StabilizerExt for NoStabilizer {}
 
 lyapunov_core::without_memory!(impl[] NoStabilizer);

@@ -8,6 +8,7 @@ use proptest::test_runner::{Config, RngSeed, TestCaseError, TestCaseResult, Test
 
 use lyapunov::{
     AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, Plant, PortSample, Stabilizer,
+    accumulators::Compensated,
     bodies::{Body, Impedance},
     channels::{Channel, ConstantDelay, LossyChannel, VaryingDelay},
     stabilizers::{DriftCompensated, TwoPortSide},
@@ -276,4 +277,35 @@ fn an_older_message_says_nothing() {
         assert_eq!(after(stale), 5e-4, "after {stale}");
     }
     assert_eq!(after(6e-4), 6e-4);
+}
+
+/// In `f32` beside 256 J a packet of 2e-5 J is rounded to a step of 3e-5 J or to none. What is told and what a side keeps sum to
+/// what crossed.
+#[test]
+fn what_a_sum_rounds_off_is_told_or_kept_and_never_both() {
+    for work in [1.0e-5_f32, 1.7e-5, 3.2e-5] {
+        let limit = DampingLimit::at(0.0_f32).expect("one");
+        let fresh = TwoPortSide::new(limit).summed_in::<Compensated<f32>>();
+        let sample = |applied: f32| {
+            HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied }
+                .sample()
+        };
+        let mut side = fresh;
+        side.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 2.56e6);
+        let before = side.stabilize(&sample(2.56e6), work / 1e-4);
+        assert!(side.absorbed() > 255.0 && before.observed_energy.abs() < 1e-4);
+        let (told, kept) = (side.absorbed(), before.observed_energy);
+        let mut crossed = 0.0;
+        for _ in 0..100_000 {
+            let tick = sample(work / 1e-4);
+            crossed += f64::from(tick.work);
+            let correction = side.stabilize(&tick, work / 1e-4);
+            let [more, own] =
+                [side.absorbed() - told, correction.observed_energy - kept].map(f64::from);
+            assert!(
+                (more + own - crossed).abs() < 1e-4 * crossed + 1e-9,
+                "{work}: {more} + {own} of {crossed}"
+            );
+        }
+    }
 }

@@ -125,23 +125,11 @@ fn a_held_effort_is_booked() {
 #[test]
 fn times_are_checked() {
     let refused = |hold, rise| {
-        NoStabilizerLike.watched::<f64>(WatchdogTimes { hold, rise }).expect_err("bad").parameter
+        NoStabilizer.watched::<f64>(WatchdogTimes { hold, rise }).expect_err("bad").parameter
     };
     for bad in [-1.0, f64::NAN] {
         assert_eq!(refused(bad, 0.0), "watchdog hold");
         assert_eq!(refused(0.0, bad), "watchdog rise");
     }
     assert_eq!(refused(0.0, f64::INFINITY), "watchdog rise");
-}
-
-/// Any stabilizer joins.
-#[derive(Clone, Copy, Debug)]
-struct NoStabilizerLike;
-
-impl StabilizerExt for NoStabilizerLike {}
-
-impl Stabilizer<f64> for NoStabilizerLike {
-    fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
-        NoStabilizer.stabilize(sample, effort)
-    }
 }

@@ -55,6 +55,8 @@ fn wall() -> Wall<f64> {
 fn environments() {
     port::<f64, _>(wall());
     port::<f64, _>(MovingWall::new(wall(), 1e-3, 7.0, 1000.0).expect("one"));
+    let body = lyapunov::bodies::Impedance { mass: 0.3, damping: 1.0, stiffness: 50.0 };
+    port::<f64, _>(lyapunov::environments::MassSpringDamper::new(body).expect("one"));
     let spring = Spring::new(500.0).expect("one");
     port::<f64, _>(VaryingSpring::new(spring, 100.0, 7.0, 1000.0).expect("one"));
     let spring: Spring<Vector2<f64>> = Spring::new(500.0).expect("one");

@@ -7,7 +7,8 @@ use crate::{
 };
 
 /// Check of a `stabilizer` that books held work under `candidate` and injects at most `limit` N·s/m: the laws
-/// [`WithinLimit`](Law::WithinLimit), [`Injects`](Law::Injects) and [`Balances`](Law::Balances) over `samples`.
+/// [`Finite`](Law::Finite) of the effort, [`WithinLimit`](Law::WithinLimit), [`Injects`](Law::Injects) and
+/// [`Balances`](Law::Balances) over `samples`.
 ///
 /// The check sums the decreases of `candidate` beside the stabilizer, with compensation of rounding errors. At the end
 /// of every tick `supplied = stored − dissipated − shortfall`: that sum is the stored credit (the observed energy
@@ -33,6 +34,9 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
         let now = Tick(tick);
         let decrease = candidate.decrease(&sample);
         let correction = stabilizer.stabilize(&sample, effort);
+        now.told(quantity::EFFORT)
+            .finite(Law::Finite, correction.effort)
+            .map_err(|broken| broken.under(&sample, effort))?;
         let most = sample.velocity.map(|v| v.magnitude() * limit);
         let added = (correction.effort - effort).map(Scalar::magnitude);
         let size = correction.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);

@@ -56,7 +56,6 @@ fn resumes<V: Signal, S: Stabilizer<V> + Snapshot + Clone>(
     };
     let (one, other) = (running.stabilize(sample, effort), restored.stabilize(sample, effort));
     alike(now, Law::Resumes, &one, &other)?;
-    now.told(quantity::SHORTFALL).same(Law::Resumes, one.shortfall, other.shortfall)?;
     let remembered = <V::Scalar as Scalar>::Mask::of(running.state() == restored.state());
     now.told(quantity::NEXT_STATE).holds::<V::Scalar>(Law::Resumes, remembered)
 }

@@ -114,7 +114,8 @@ pub(super) fn alike<V: Signal>(
     now.told(quantity::EFFORT).same(law, one.effort, other.effort)?;
     let [energy, again] = [one, other].map(|it| it.observed_energy);
     now.told(quantity::OBSERVED_ENERGY).same(law, energy, again)?;
-    now.told(quantity::DAMPING).same(law, one.alpha, other.alpha)
+    now.told(quantity::DAMPING).same(law, one.alpha, other.alpha)?;
+    now.told(quantity::SHORTFALL).same(law, one.shortfall, other.shortfall)
 }
 
 /// Check of each lane against the same stabilizer with that lane's numbers in all lanes.
@@ -149,6 +150,7 @@ fn of_lane<V: Signal>(correction: &Correction<V>, lane: usize) -> Correction<V> 
         effort: spread(correction.effort, lane),
         observed_energy: spread(correction.observed_energy, lane),
         alpha: spread(correction.alpha, lane),
+        shortfall: spread(correction.shortfall, lane),
         ..*correction
     }
 }

@@ -62,7 +62,7 @@ impl Told {
 
     /// Breaks `law` where `apart` is larger than `allowed` in magnitude.
     pub(super) fn within<T: Scalar>(self, law: Law, apart: T, allowed: T) -> Result<(), Violation> {
-        let kept = !allowed.below(apart.magnitude());
+        let kept = apart.finite() & !allowed.below(apart.magnitude());
         self.require(law, kept, apart, |lane| Allowed::Within(allowed.lane(lane)))
     }
 
@@ -81,7 +81,9 @@ impl Told {
     pub(super) fn same<V: Signal>(self, law: Law, one: V, other: V) -> Result<(), Violation> {
         let zero = V::Scalar::of(0.0);
         let apart = one.zip(other, |a, b| {
-            let alike = !(a.below(b) | b.below(a)) & !(a.finite() & !b.finite());
+            let alike = !(a.below(b) | b.below(a))
+                & !(a.finite() & !b.finite())
+                & !(b.finite() & !a.finite());
             V::Scalar::choose(alike, zero, V::Scalar::of(1.0))
         });
         let kept = !zero.below(apart.sum());

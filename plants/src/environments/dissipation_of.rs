@@ -1,5 +1,7 @@
 //! Credit of an environment's own damper, as a term of a candidate.
 
+use lyapunov_core::{ParameterError, Snapshot};
+
 /// The credit of the own damper of an environment `E` whose damping, or whose velocity, is not simply the port's.
 ///
 /// The environment's method `dissipation` makes it; where the damper is constant and acts on the velocity of the port,
@@ -9,3 +11,16 @@
 /// dissipated energy that is not finite credits nothing: the work of that tick is booked without it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DissipationOf<E>(pub(crate) E);
+
+impl<E: Snapshot> Snapshot for DissipationOf<E> {
+    /// The environment's.
+    type State = E::State;
+
+    fn state(&self) -> E::State {
+        self.0.state()
+    }
+
+    fn restored(self, state: E::State) -> Result<Self, ParameterError> {
+        Ok(Self(self.0.restored(state)?))
+    }
+}

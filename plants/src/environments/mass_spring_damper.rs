@@ -1,6 +1,6 @@
 //! Virtual mass-spring-damper, the paper's example 2.
 
-use lyapunov_core::{Dissipation, OnePort, ParameterError, PortSample, Scalar, Signal};
+use lyapunov_core::{Dissipation, OnePort, ParameterError, PortSample, Scalar, Signal, Snapshot};
 
 use crate::{ForceLaw, Impedance, Kinematics};
 
@@ -67,5 +67,18 @@ impl<V: Signal> OnePort<V> for MassSpringDamper<V> {
         self.velocity = Some(sample.velocity);
         let acceleration = gained.map(|change| change / sample.period);
         self.force(&Kinematics { acceleration, ..Kinematics::of(sample) })
+    }
+}
+
+impl<V: Signal> Snapshot for MassSpringDamper<V> {
+    /// The last velocity, m/s; none before the first call.
+    type State = Option<V>;
+
+    fn state(&self) -> Option<V> {
+        self.velocity
+    }
+
+    fn restored(self, velocity: Option<V>) -> Result<Self, ParameterError> {
+        Ok(Self { velocity, ..self })
     }
 }

@@ -39,7 +39,6 @@ lyapunov_core::without_memory! {
     impl[T: Scalar] OrientationSpring<T>;
     impl[V: Signal] Spring<V>;
     impl[V: Signal] CubicSpring<V>;
-    impl[V: Signal] MassSpringDamper<V>;
     impl[S, T: Scalar] Contact<S, T>;
     impl[L, T: Scalar, const N: usize] BodyPoints<L, T, N>;
 }

@@ -25,8 +25,7 @@ impl<V: Signal> AlongDirection<V> {
     /// A length that is not above 0 and finite.
     pub fn new(direction: V) -> Result<Self, ParameterError> {
         // The length, scaled by the largest axis, misses a NaN on one axis.
-        let sum = direction.map(|axis| axis * V::Scalar::of(0.0)).sum();
-        Requirement::Finite.check("direction", sum)?;
+        Requirement::Finite.check_axes("direction", direction)?;
         let length = Requirement::Positive.check("direction's length", length(direction))?;
         Ok(Self { direction: direction.map(|axis| axis / length) })
     }

@@ -75,8 +75,7 @@ impl<V: Signal> EnergyBounding<V> {
     /// # Errors
     /// `damping` or `period` not above 0 and finite, or their quotient out of range.
     pub fn of_damping(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
-        let rate = rate(damping, period)?;
-        Self::new(rate, rate)
+        Self::delayed(damping, period, 0)
     }
 
     /// `c1 = c2 = b / (T (1 + d))`, for a force that acts `ticks` d periods late; derived here.

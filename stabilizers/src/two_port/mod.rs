@@ -45,7 +45,8 @@ use one_way::OneWay;
 /// At the master motion comes in and a force goes out, and a sample is a sample. At the slave a force comes in and a
 /// velocity goes out to its controller: give it a [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a
 /// velocity, which leaves a position error behind; [`DriftCompensated`] takes it back. Energies that only grow need
-/// digits: in `f32` they stop growing after a while, which is safe and useless, so take `f64`.
+/// digits: what the sum of a side rounds off is not told and stays in its own `W`, so that in `f32` after a while nothing crosses
+/// any more, which is safe and useless: take `f64`.
 ///
 /// ```
 /// use lyapunov_core::{HeldTick, PortSample, Stabilizer};

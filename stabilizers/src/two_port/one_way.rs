@@ -48,11 +48,17 @@ impl<V: Signal> LyapunovCandidate<V> for OneWay<V> {
         let burnt = work - crossed;
         // What is not a number is left out, and what was received must not be lost with it.
         let sound = burnt.finite();
-        let total = self.absorbed + crossed.larger(zero);
-        self.absorbed = V::Scalar::choose(sound & total.finite(), total, self.absorbed);
+        let came = crossed.larger(zero);
+        let total = self.absorbed + came;
+        // What the total rounds off stays with this side, to the bit (Knuth's sum of two numbers): told or kept, and never both.
+        let share = total - self.absorbed;
+        let kept = (self.absorbed - (total - share)) + (came - share);
+        let told = sound & kept.finite();
+        self.absorbed = V::Scalar::choose(told, total, self.absorbed);
+        let kept = V::Scalar::choose(told, kept, zero);
         let credit = self.received - self.booked;
         self.booked = V::Scalar::choose(sound, self.received, self.booked);
-        V::Scalar::choose(sound, credit + (crossed.smaller(zero) + burnt), burnt)
+        V::Scalar::choose(sound, credit + (crossed.smaller(zero) + burnt) + kept, burnt)
     }
 }
 

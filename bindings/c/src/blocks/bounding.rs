@@ -91,10 +91,7 @@ blocks! {
             /// The delay of the force in ticks.
             late: u32,
         };
-        |given| match given.late {
-            0 => EnergyBounding::of_damping(given.damping, given.period),
-            late => EnergyBounding::delayed(given.damping, given.period, late),
-        };
+        |given| EnergyBounding::delayed(given.damping, given.period, given.late);
         [life stabilizer account]
     }
     /// Least-norm filter (LeastNorm): the least damping that keeps the observed energy above a decaying barrier.

@@ -1,20 +1,6 @@
-//! Checks and lengths over all axes of a signal.
+//! Lengths over all axes of a signal.
 
-use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
-
-/// `value` if every axis of it meets the requirement.
-pub(super) fn check_axes<V: Signal>(
-    requirement: Requirement,
-    parameter: &'static str,
-    value: V,
-) -> Result<V, ParameterError> {
-    let mut refused = None;
-    value.map(|axis| {
-        refused = refused.or(requirement.check(parameter, axis).err());
-        axis
-    });
-    refused.map_or(Ok(value), Err)
-}
+use lyapunov_core::{Scalar, Signal};
 
 /// The largest magnitude on an axis.
 #[inline]

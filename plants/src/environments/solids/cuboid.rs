@@ -3,7 +3,6 @@
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
-use super::axes::check_axes;
 use crate::{NearestPoint, Solid};
 
 /// A box with its edges along the axes, on two axes a rectangle: `p = minᵢ (halfᵢ − |xᵢ − centerᵢ|)`, and `n` along
@@ -34,8 +33,8 @@ impl<V: Signal> Cuboid<V> {
     /// # Errors
     /// A coordinate of `center` infinite or NaN; one of `half` not above 0 and finite.
     pub fn new(center: V, half: V) -> Result<Self, ParameterError> {
-        let center = check_axes(Requirement::Finite, "center", center)?;
-        Ok(Self { center, half: check_axes(Requirement::Positive, "half", half)? })
+        let center = Requirement::Finite.check_axes("center", center)?;
+        Ok(Self { center, half: Requirement::Positive.check_axes("half", half)? })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use lyapunov_core::{ParameterError, Requirement, Signal};
 
-use super::axes::{check_axes, largest_axis, length_and_direction};
+use super::axes::{largest_axis, length_and_direction};
 use crate::{NearestPoint, Solid};
 
 /// The half-space below a plane: `p = (point − x)·n`.
@@ -30,8 +30,8 @@ impl<V: Signal> Plane<V> {
     /// # Errors
     /// A coordinate of `point` or of `normal` infinite or NaN; a `normal` of 0.
     pub fn new(point: V, normal: V) -> Result<Self, ParameterError> {
-        check_axes(Requirement::Finite, "point", point)?;
-        check_axes(Requirement::Finite, "normal", normal)?;
+        Requirement::Finite.check_axes("point", point)?;
+        Requirement::Finite.check_axes("normal", normal)?;
         Requirement::Positive.check("normal", largest_axis(normal))?;
         let (_, normal) = length_and_direction(normal, V::zero());
         Ok(Self { point, normal })

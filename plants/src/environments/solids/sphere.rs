@@ -3,7 +3,7 @@
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 use nalgebra::SVector;
 
-use super::axes::{check_axes, length_and_direction};
+use super::axes::length_and_direction;
 use crate::{NearestPoint, Solid};
 
 /// A ball, on two axes a disc: `p = radius − |x − center|`, `n = (x − center) / |x − center|`.
@@ -32,7 +32,7 @@ impl<V: Signal> Sphere<V> {
     /// # Errors
     /// A coordinate of `center` infinite or NaN; `radius` not above 0 and finite.
     pub fn new(center: V, radius: V::Scalar) -> Result<Self, ParameterError> {
-        let center = check_axes(Requirement::Finite, "center", center)?;
+        let center = Requirement::Finite.check_axes("center", center)?;
         Ok(Self { center, radius: Requirement::Positive.check("radius", radius)? })
     }
 }
