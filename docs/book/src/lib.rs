@@ -8,3 +8,6 @@ pub mod ledger {}
 
 #[doc = include_str!("../chapters/port.md")]
 pub mod port {}
+
+#[doc = include_str!("../chapters/your-loop.md")]
+pub mod your_loop {}
