@@ -84,7 +84,7 @@ fn fields_are_stored_by_name() {
     assert_eq!(keys(&State { position: 1.0, velocity: 2.0 }), "position velocity");
     assert_eq!(
         keys(&EnergySummary::<f32>::default()),
-        "ticks active rejected now least most injected absorbed shortfall largest_shortfall"
+        "ticks active rejected now least most asked absorbed shortfall largest_shortfall"
     );
 }
 

@@ -154,21 +154,21 @@ fn a_rejected_tick_is_told() {
 
 /// Sums of thirty digits beside the meter.
 fn by_hand(ticks: &[RecordedTick<f64>]) -> [f64; 8] {
-    let (mut absorbed, mut injected) = (DoubleDouble::default(), DoubleDouble::default());
+    let (mut absorbed, mut asked) = (DoubleDouble::default(), DoubleDouble::default());
     let (mut least, mut most, mut active, mut worst) = (f64::INFINITY, f64::NEG_INFINITY, 0, 0.0);
     for RecordedTick { sample, correction } in ticks {
         absorbed += DoubleDouble::product_of(sample.applied, sample.displacement);
         let square = sample.velocity * sample.velocity * sample.period;
-        injected += DoubleDouble::product_of(correction.alpha, square);
+        asked += DoubleDouble::product_of(correction.alpha, square);
         least = f64::min(least, correction.observed_energy);
         most = f64::max(most, correction.observed_energy);
         worst = f64::max(worst, correction.shortfall);
         active += u32::from(correction.alpha > 0.0);
     }
     let last = ticks.last().expect("ticks").correction;
-    let [absorbed, injected] = [absorbed, injected].map(DoubleDouble::high);
+    let [absorbed, asked] = [absorbed, asked].map(DoubleDouble::high);
     let now = [last.observed_energy, last.shortfall];
-    [absorbed, injected, least, most, worst, active.into(), now[0], now[1]]
+    [absorbed, asked, least, most, worst, active.into(), now[0], now[1]]
 }
 
 #[test]
@@ -182,7 +182,7 @@ fn the_meter_sums_what_sums_of_thirty_digits_do() {
         assert!(it.active > 100.0 && it.largest_shortfall > 0.0);
         let told = [
             it.absorbed,
-            it.injected,
+            it.asked,
             it.least,
             it.most,
             it.largest_shortfall,
@@ -208,11 +208,11 @@ fn in_f32_the_sums_do_not_stop() {
     for _ in 0..ticks {
         meter.add(&sample, &correction);
     }
-    let EnergySummary { active, rejected, absorbed, injected, .. } = meter.summary();
+    let EnergySummary { active, rejected, absorbed, asked, .. } = meter.summary();
     assert_eq!([active, rejected].map(f64::from), [ticks as f64; 2]);
     let each = f64::from(1e-3_f32) * ticks as f64;
     approx::assert_relative_eq!(f64::from(absorbed), each, max_relative = 1e-7);
-    approx::assert_relative_eq!(f64::from(injected), 2.0 * each, max_relative = 1e-7);
+    approx::assert_relative_eq!(f64::from(asked), 2.0 * each, max_relative = 1e-7);
 }
 
 #[test]
@@ -245,7 +245,7 @@ fn each_lane_is_metered_as_alone() {
         let own = meter.summary();
         for (all, one) in [
             (together.absorbed, own.absorbed),
-            (together.injected, own.injected),
+            (together.asked, own.asked),
             (together.least, own.least),
             (together.most, own.most),
             (together.active, own.active),
@@ -267,7 +267,7 @@ fn what_is_not_finite_is_left_out() {
     }
     let summary = meter.summary();
     assert_eq!((summary.ticks, summary.rejected, summary.active), (4, 3.0, 0.0));
-    assert_eq!((summary.absorbed, summary.injected, summary.least), (2e-4, 0.0, -1e-3));
+    assert_eq!((summary.absorbed, summary.asked, summary.least), (2e-4, 0.0, -1e-3));
     assert_eq!(EnergyMeter::<f64>::default().summary(), EnergySummary::default());
 }
 

@@ -44,7 +44,7 @@ fn lines() -> Vec<String> {
             run.absorbed,
             run.observed_energy_least,
             run.observed_energy_most,
-            run.injected,
+            run.asked,
             run.shortfall,
             run.environment_peak,
             run.acting_peak,

@@ -167,10 +167,7 @@ fn a_share_that_settles_by_speed_is_told() {
         let survey = surveyed(&grid);
         assert_eq!(survey.by_speed(), 6);
         let settling = survey.settling(0).share;
-        (
-            settling,
-            areas(&survey, None).lines().find(|it| it.starts_with("none")).unwrap().to_owned(),
-        )
+        (settling, areas(&survey).lines().find(|it| it.starts_with("none")).unwrap().to_owned())
     };
     let start = "initial = { position = -0.004, velocity = 0.1 }\n";
     let (share, row) = told(&format!("operator = {{ mass = 0.1, damping = 5.0 }}\n{start}"));

@@ -95,7 +95,7 @@ approximate!(impl[Q: PartialEq] State<Q>, of Q { position, velocity });
 approximate!(impl[T: Scalar, F: Axes] Screw<T, F>, of T { translation, rotation });
 approximate!(impl[V: Signal] RecordedTick<V>, of PortSample<V>, Correction<V> { sample, correction });
 approximate!(impl[T: PartialEq] EnergySummary<T>, of T {
-    active, rejected, now, least, most, injected, absorbed, shortfall, largest_shortfall;
+    active, rejected, now, least, most, asked, absorbed, shortfall, largest_shortfall;
     same EnergySummary::of_as_many_ticks
 });
 

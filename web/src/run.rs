@@ -56,7 +56,7 @@ fn traced<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
         place as f64,
         summary.settled.unwrap_or(f64::NAN),
         summary.acting_peak,
-        summary.injected,
+        summary.asked,
         summary.observed_energy_least,
         active,
         summary.rows as f64,

@@ -95,7 +95,7 @@ typedef struct lyapunov_energy_summary_f32 {
     /* The most observed energy so far, J. */
     float most;
     /* Energy that the injected damping was meant to dissipate, J. */
-    float injected;
+    float asked;
     /* Energy that flowed through the port into the environment, J; below 0 the port gave energy away. */
     float absorbed;
     /* The shortfall now, J. */
@@ -110,7 +110,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, rejected) == 12, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, now) == 16, lyapunov_energy_summary_f32_now);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, least) == 20, lyapunov_energy_summary_f32_least);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, most) == 24, lyapunov_energy_summary_f32_most);
-LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, injected) == 28, lyapunov_energy_summary_f32_injected);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, asked) == 28, lyapunov_energy_summary_f32_asked);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, absorbed) == 32, lyapunov_energy_summary_f32_absorbed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, shortfall) == 36, lyapunov_energy_summary_f32_shortfall);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, largest_shortfall) == 40, lyapunov_energy_summary_f32_largest_shortfall);
@@ -159,7 +159,7 @@ typedef struct lyapunov_energy_summary_f64 {
     /* The most observed energy so far, J. */
     double most;
     /* Energy that the injected damping was meant to dissipate, J. */
-    double injected;
+    double asked;
     /* Energy that flowed through the port into the environment, J; below 0 the port gave energy away. */
     double absorbed;
     /* The shortfall now, J. */
@@ -174,7 +174,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, rejected) == 16, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, now) == 24, lyapunov_energy_summary_f64_now);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, least) == 32, lyapunov_energy_summary_f64_least);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, most) == 40, lyapunov_energy_summary_f64_most);
-LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, injected) == 48, lyapunov_energy_summary_f64_injected);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, asked) == 48, lyapunov_energy_summary_f64_asked);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, absorbed) == 56, lyapunov_energy_summary_f64_absorbed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, shortfall) == 64, lyapunov_energy_summary_f64_shortfall);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f64, largest_shortfall) == 72, lyapunov_energy_summary_f64_largest_shortfall);

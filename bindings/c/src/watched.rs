@@ -73,7 +73,7 @@ pub struct SummaryForm<T> {
     /// The most observed energy, J.
     pub most: T,
     /// Energy that the injected damping was meant to dissipate, J.
-    pub injected: T,
+    pub asked: T,
     /// Energy that flowed through the port into the environment, J.
     pub absorbed: T,
     /// The shortfall now, J.
@@ -86,7 +86,7 @@ impl<T> SummaryForm<T> {
     /// The form of a summary.
     pub fn of(summary: EnergySummary<T>) -> Self {
         let EnergySummary { ticks, active, rejected, now, least, most, .. } = summary;
-        let EnergySummary { injected, absorbed, shortfall, largest_shortfall, .. } = summary;
+        let EnergySummary { asked, absorbed, shortfall, largest_shortfall, .. } = summary;
         Self {
             ticks,
             active,
@@ -94,7 +94,7 @@ impl<T> SummaryForm<T> {
             now,
             least,
             most,
-            injected,
+            asked,
             absorbed,
             shortfall,
             largest_shortfall,

@@ -147,7 +147,7 @@ impl Map {
             finish(folder, checkpoint, shard, cells, run.install(beside)?)?;
         }
         drop((folder, untidy));
-        self.say(&survey, bounds.as_ref(), shard, &computation, &text)
+        self.say(&survey, shard, &computation, &text)
     }
 
     /// The files beside the table of `shard`: none but of the whole map.
@@ -269,7 +269,6 @@ impl Map {
     fn say(
         &self,
         survey: &Survey,
-        bounds: Option<&Bounds>,
         shard: Shard,
         computation: &Computation,
         text: &str,
@@ -284,7 +283,7 @@ impl Map {
         if shard != Shard::WHOLE {
             let _ = writeln!(said, "shard {shard} of the map");
         }
-        said += &areas(survey, bounds);
+        said += &areas(survey);
         let is_own = |it: &StabilizerName| matches!(it, StabilizerName::Own(_));
         let how = match computation.instructions {
             Some(set) if survey.grid().stabilizers.iter().any(is_own) => format!(
@@ -342,7 +341,7 @@ pub(super) fn results(
     let drawn: Result<Vec<_>, _> =
         figures.par_iter().map(|drawn| pictures(drawn.name, &drawn.figure)).collect();
     let drawn = drawn.map_err(End::internal)?.into_iter().flatten();
-    let page = page(survey, bounds, &figures, command, scene);
+    let page = page(survey, &figures, command, scene);
     Ok(drawn.fold(Results::new(page, RESULTS, text), |results, (name, bytes)| {
         results.with_file(name, bytes)
     }))

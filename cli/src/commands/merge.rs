@@ -52,7 +52,7 @@ impl Merge {
         match (self.json, self.quiet) {
             (true, _) => print(text),
             (_, true) => Ok(()),
-            _ => print(areas(&survey, bounds.as_ref())),
+            _ => print(areas(&survey)),
         }
     }
 

@@ -48,3 +48,17 @@ fn what_cannot_be_tuned_is_refused() {
     let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/models/dc-motor.toml");
     place.refuses(["compare", model, "--tuned"], &["--tuned is for scenes"]);
 }
+
+/// The wall of this scene is out of reach, so that every setting has the same runs.
+#[test]
+fn a_scene_without_contact_is_told() {
+    let place = Place::new();
+    place.put("scene.toml", include_str!("../../../scenes/friction.toml"));
+    let names = ["--stabilizers", "popc"];
+    place.run(FEW.iter().chain(&names)).ended(0, &["look at: f_env is 0", "no difference"]);
+    let scene = place.text("scene.toml").replace("position = 0.5", "position = 0.01");
+    place.put("scene.toml", scene);
+    let touched = place.run(FEW.iter().chain(&names));
+    touched.ended(0, &["bounded,"]);
+    assert!(!touched.out.contains("f_env is 0"), "{}", touched.out);
+}

@@ -158,3 +158,47 @@ fn a_limit_says_nothing_of_what_is_not_touched_or_only_pulls() {
         ])
         .ended(0, &["bounded"]);
 }
+
+const STIFF: &str = include_str!("../../../scenes/paper-50k-popc.toml");
+
+#[test]
+fn a_small_cap_is_told_and_not_the_stiffness_that_a_larger_one_holds() {
+    let place = Place::new();
+    place.put("half.toml", STIFF);
+    place.put("tenth.toml", STIFF.replace("damping_cap = 0.5", "damping_cap = 0.1"));
+    let tenth = place.run(["run", "tenth.toml"]);
+    tenth.ended(0, &["verdict grows", "cap 0.1 m / T left a debt unpaid", "up to 0.5"]);
+    assert!(!tenth.out.contains("times what the linear loop bears"), "{}", tenth.out);
+    place.run(["run", "half.toml"]).ended(0, &["verdict settles"]);
+}
+
+/// The time is read from the rows, where ten times the start of 4 mm are 40 mm.
+#[test]
+fn a_run_that_went_away_tells_since_when() {
+    let place = Place::new();
+    place.put("wall.toml", STIFF.replace("damping_cap = 0.5", "damping_cap = 0.1"));
+    let rows = place.run(["run", "wall.toml", "--csv", "-"]).out;
+    let number =
+        |row: &str, column: usize| -> f64 { row.split(',').nth(column).unwrap().parse().unwrap() };
+    let head = rows.lines().next().unwrap();
+    let x = head.split(',').position(|name| name == "x").unwrap();
+    let first = rows.lines().skip(1).find(|row| number(row, x).abs() > 0.04).unwrap();
+    let told = format!("at t = {} s", number(first, 0));
+    place.run(["run", "wall.toml"]).ended(0, &[&told, "came out of the port"]);
+}
+
+#[test]
+fn a_passive_limit_of_0_has_a_reason() {
+    let place = Place::new();
+    let wall = WALL.replace(
+        "environment.spring.stiffness = 40000",
+        "environment.wall = { stiffness = 9, damping = 4 }",
+    );
+    place.put("wall.toml", &wall);
+    let reason = "the wall's damping 4 is above the device's 3 N.s/m";
+    place.run(["bound", "wall.toml"]).ended(0, &["passive, any operator 0", reason]);
+    place.put("wall.toml", wall.replace("damping = 4", "damping = 2"));
+    let within = place.run(["bound", "wall.toml"]);
+    within.ended(0, &["passive, any operator"]);
+    assert!(!within.out.contains("no stiffness is passive"), "{}", within.out);
+}

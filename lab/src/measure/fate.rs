@@ -113,10 +113,15 @@ impl<T: Scalar> Fate<T> {
         })
     }
 
+    /// The distance that a lane does not leave while it is bounded, m; none if it is judged by its speed.
+    pub(crate) fn reach(&self, lane: usize) -> Option<f64> {
+        let criterion = &self.criteria[lane];
+        criterion.place().map(|_| REACH * criterion.start)
+    }
+
     /// Whether a lane left the bound of its distance.
     pub(crate) fn is_out(&self, lane: usize) -> bool {
-        let criterion = &self.criteria[lane];
-        criterion.place().is_some() && self.size(ALL, lane) > REACH * criterion.start
+        self.reach(lane).is_some_and(|reach| self.size(ALL, lane) > reach)
     }
 
     fn grows(&self, lane: usize) -> bool {

@@ -31,6 +31,8 @@ pub struct Summary {
     /// The distance from the equilibrium on the last tick, m.
     pub(crate) away: f64,
     pub(crate) fate: Fate<f64>,
+    /// The first time at which the distance was beyond its bound, s.
+    pub(crate) out_since: Option<f64>,
     /// Largest magnitude of the environment's force, N.
     pub environment_peak: f64,
     /// Largest magnitude of the force applied to the plant, N.
@@ -43,7 +45,7 @@ pub struct Summary {
     /// Largest value of the observed energy, J.
     pub observed_energy_most: f64,
     /// Energy that the controller set out to dissipate, `Σ α v² T`, J; infinite once it leaves the range of f64.
-    pub injected: f64,
+    pub asked: f64,
     /// Largest debt that a tick could not serve, J.
     pub shortfall: f64,
     /// Ticks on which the controller was active.
@@ -75,12 +77,13 @@ impl Summary {
             settling: rest_of(place),
             away: 0.0,
             fate,
+            out_since: None,
             environment_peak: 0.0,
             acting_peak: 0.0,
             absorbed: 0.0,
             observed_energy_least: 0.0,
             observed_energy_most: 0.0,
-            injected: 0.0,
+            asked: 0.0,
             shortfall: 0.0,
             active: 0,
             signs: RunSigns::new(scene),
@@ -121,6 +124,10 @@ impl Summary {
         let criterion = self.fate.criterion(0);
         let coordinate = criterion.coordinate(tick.truth.position);
         self.away = (coordinate - criterion.rest().0).abs();
+        if self.out_since.is_none() && self.fate.reach(0).is_some_and(|reach| self.away > reach) {
+            self.out_since = Some(row.t);
+        }
+        let criterion = self.fate.criterion(0);
         if criterion.equilibria.len() > 1 && self.equilibrium.is_some() {
             let nearest = criterion.nearest(tick.truth.position);
             self.equilibrium = nearest.map(|place| place.axes().to_vec());
@@ -133,7 +140,7 @@ impl Summary {
         self.observed_energy_least = self.observed_energy_least.min(row.observed_energy);
         self.observed_energy_most = self.observed_energy_most.max(row.observed_energy);
         for axis in &axes {
-            self.injected = sum(self.injected, axis.f_ctl, axis.v * self.scene.period());
+            self.asked = sum(self.asked, axis.f_ctl, axis.v * self.scene.period());
         }
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);

@@ -118,7 +118,7 @@ impl Summary {
             observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
             damping_cap_limit: self.scene.exceeded_cap(),
             active_percent: 100.0 * self.active as f64 / self.rows.max(1) as f64,
-            energy_asked_for_mj: MILLI * self.injected,
+            energy_asked_for_mj: MILLI * self.asked,
             shortfall_mj: MILLI * self.shortfall,
         }
     }
@@ -142,10 +142,8 @@ impl fmt::Display for Summary {
             found(self.environment_peak),
             found(self.acting_peak)
         )?;
-        write!(f, "\n  energy       {} mJ into the port", found(MILLI * self.absorbed))?;
-        if self.absorbed < 0.0 {
-            f.write_str(": more came out than went in")?;
-        }
+        let way = if self.absorbed < 0.0 { "came out of" } else { "went into" };
+        write!(f, "\n  energy       {} mJ {way} the port", found(MILLI * self.absorbed.abs()))?;
         if self.stabilizing.is_there() {
             self.write_stabilizer(f)?;
         }
@@ -206,7 +204,7 @@ impl Summary {
         write!(
             f,
             "\n  controller   active on {share:.1} % of ticks, {} mJ asked for, shortfall up to {} mJ",
-            found(MILLI * self.injected),
+            found(MILLI * self.asked),
             found(MILLI * self.shortfall)
         )
     }

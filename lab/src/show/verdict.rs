@@ -109,15 +109,16 @@ impl Summary {
         let (band, place) = (millimetres(self.band), place(rest));
         match (verdict, self.settled) {
             (Verdict::Grows, _) => {
-                let sizes = self.fate.sizes(0);
-                let [second, end] = [sizes.second, sizes.end].map(millimetres);
-                if self.fate.is_out(0) {
-                    let widest = millimetres(sizes.widest);
+                // Sizes of a run that went away tell its length only.
+                if let Some(time) = self.out_since {
                     let start = millimetres(self.fate.criterion(0).start);
                     return format!(
-                        "up to {widest} from {place}, more than ten times the {start} of the start"
+                        "past ten times the {start} of its start from {place} at t = {} s",
+                        given(time)
                     );
                 }
+                let sizes = self.fate.sizes(0);
+                let [second, end] = [sizes.second, sizes.end].map(millimetres);
                 format!("up to {end} from {place} in the last quarter, {second} in the second")
             }
             (Verdict::Settles, Some(time)) => {

@@ -16,7 +16,7 @@ use crate::{
 /// meter.add(&tick.sample(), &correction); // the port gave 0.2 mJ away
 /// let summary = meter.summary();
 /// assert_eq!((summary.ticks, summary.active, summary.least), (1, 1.0, -2e-4));
-/// assert_eq!((summary.absorbed, summary.injected), (-2e-4, 15.0 * (0.1 * 0.1 * 1e-3)));
+/// assert_eq!((summary.absorbed, summary.asked), (-2e-4, 15.0 * (0.1 * 0.1 * 1e-3)));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -36,7 +36,7 @@ pub struct EnergySummary<T> {
     pub most: T,
     /// Energy that the injected damping was meant to dissipate, `Σ α v² T`, J; under a hold, a saturation or a delay it
     /// dissipates less.
-    pub injected: T,
+    pub asked: T,
     /// Energy that flowed through the port into the environment, `Σ f_act Δx`, J: the physical energy, without what a
     /// candidate credits. Below 0 the port gave energy away.
     pub absorbed: T,
@@ -74,7 +74,7 @@ pub struct EnergyMeter<T> {
     ticks: u64,
     active: Compensated<T>,
     rejected: Compensated<T>,
-    injected: Compensated<T>,
+    asked: Compensated<T>,
     absorbed: Compensated<T>,
     now: T,
     least: T,
@@ -91,7 +91,7 @@ impl<T: Scalar> EnergyMeter<T> {
             ticks: 0,
             active: none,
             rejected: none,
-            injected: none,
+            asked: none,
             absorbed: none,
             now: zero,
             least: zero,
@@ -120,7 +120,7 @@ impl<T: Scalar> EnergyMeter<T> {
         self.active.add(T::choose(correction.alpha.above(zero), one, zero));
         self.rejected.add(T::choose(correction.accepted, zero, one));
         let square = sample.velocity.inner(sample.velocity) * sample.period.larger(zero);
-        self.injected.book(correction.alpha * square);
+        self.asked.book(correction.alpha * square);
         self.absorbed.book(sample.work.sum());
     }
 
@@ -133,7 +133,7 @@ impl<T: Scalar> EnergyMeter<T> {
             now: self.now,
             least: self.least,
             most: self.most,
-            injected: self.injected.value(),
+            asked: self.asked.value(),
             absorbed: self.absorbed.value(),
             shortfall: self.shortfall,
             largest_shortfall: self.largest_shortfall,
@@ -148,12 +148,12 @@ impl<T: Scalar> Default for EnergyMeter<T> {
 }
 
 impl<T: Scalar> Snapshot for EnergyMeter<T> {
-    /// Ticks; the compensated sums of active and rejected ticks, of injected and absorbed energy; now, least, most,
+    /// Ticks; the compensated sums of active and rejected ticks, of the energy asked for and absorbed; now, least, most,
     /// shortfall and the largest shortfall.
     type State = (u64, [(T, T); 4], [T; 5]);
 
     fn state(&self) -> Self::State {
-        let sums = [self.active, self.rejected, self.injected, self.absorbed];
+        let sums = [self.active, self.rejected, self.asked, self.absorbed];
         let last = [self.now, self.least, self.most, self.shortfall, self.largest_shortfall];
         (self.ticks, sums.map(|sum| sum.state()), last)
     }
@@ -163,12 +163,12 @@ impl<T: Scalar> Snapshot for EnergyMeter<T> {
             Requirement::Finite.check("stored energy", energy)?;
         }
         let [now, least, most, shortfall, largest_shortfall] = last;
-        let [active, rejected, injected, absorbed] = sums;
+        let [active, rejected, asked, absorbed] = sums;
         Ok(Self {
             ticks,
             active: self.active.restored(active)?,
             rejected: self.rejected.restored(rejected)?,
-            injected: self.injected.restored(injected)?,
+            asked: self.asked.restored(asked)?,
             absorbed: self.absorbed.restored(absorbed)?,
             now,
             least,

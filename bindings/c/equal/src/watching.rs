@@ -217,7 +217,7 @@ pub(crate) fn asked(ticks: u64) -> Done {
         let told = meter.summary();
         run.hash(told.ticks);
         [told.active, told.rejected, told.now, told.least, told.most].into_iter().for_each(|it| run.tell(it));
-        [told.injected, told.absorbed, told.shortfall, told.largest_shortfall].into_iter().for_each(|it| run.tell(it));
+        [told.asked, told.absorbed, told.shortfall, told.largest_shortfall].into_iter().for_each(|it| run.tell(it));
         run.end("energy_meter", V::NAME)
     });
     Ok(())

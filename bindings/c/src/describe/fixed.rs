@@ -155,7 +155,7 @@ fn summary<T: Named>(header: &mut Header) {
         field!(SummaryForm<T>, most, T, "The most observed energy so far, J."),
         field!(
             SummaryForm<T>,
-            injected,
+            asked,
             T,
             "Energy that the injected damping was meant to dissipate, J."
         ),

@@ -326,7 +326,7 @@ static void expected(lyapunov_code code, lyapunov_code wanted, const char *name)
         hash_number(sums.now);                                                                   \
         hash_number(sums.least);                                                                 \
         hash_number(sums.most);                                                                  \
-        hash_number(sums.injected);                                                              \
+        hash_number(sums.asked);                                                                \
         hash_number(sums.absorbed);                                                              \
         hash_number(sums.shortfall);                                                             \
         hash_number(sums.largest_shortfall);                                                     \
@@ -343,7 +343,7 @@ static void expected(lyapunov_code code, lyapunov_code wanted, const char *name)
         sums.now = (double)narrow.now;                                            \
         sums.least = (double)narrow.least;                                        \
         sums.most = (double)narrow.most;                                          \
-        sums.injected = (double)narrow.injected;                                  \
+        sums.asked = (double)narrow.asked;                                        \
         sums.absorbed = (double)narrow.absorbed;                                  \
         sums.shortfall = (double)narrow.shortfall;                                \
         sums.largest_shortfall = (double)narrow.largest_shortfall;                \

@@ -111,7 +111,7 @@ pub(super) fn told(survey: &Survey, computation: Option<&Computation>) -> Result
     let drawn = figures(survey, bounds.as_ref());
     Ok(Told {
         json: document(survey, bounds.as_ref(), computation).map_err(Fault::internal)?,
-        text: areas(survey, bounds.as_ref()),
+        text: areas(survey),
         figures: drawn.iter().map(|drawn| drawn.figure.to_svg()).collect(),
         ..Told::default()
     })

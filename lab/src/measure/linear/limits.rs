@@ -4,6 +4,7 @@ use lyapunov::bodies::Impedance;
 
 use super::{LinearPart, NotLinear, rules};
 use crate::files::scene::{Filter, Scene, Velocity};
+use crate::text::given;
 
 /// The largest stiffness of a scene's environment by each formula, N/m; its `Display` is the table of `lyapunov bound`.
 ///
@@ -43,13 +44,14 @@ impl Limits {
         };
         let within = sound.filter(|part| soft(part).is_finite());
         let range = within.map(|part| part.stable_stiffness().unwrap_or([0.0, 0.0]));
-        let mut notes = notes(scene, part, range);
+        let passive = finite(within.map(LinearPart::passive_max_stiffness));
+        let mut notes = notes(scene, part, range, passive);
         if spectral_radius.is_none() && part.is_ok() {
             notes.push("the loop is out of the range of the numbers".to_owned());
         }
         Self {
             stiffness: scene.environment.kind().impedance().map(|it| it.stiffness),
-            passive: finite(within.map(LinearPart::passive_max_stiffness)),
+            passive,
             gil: finite(rules::gil(scene)),
             friction_quantization: finite(rules::friction_quantization(scene)),
             exact: finite(range.map(|[_, end]| end)),
@@ -78,6 +80,7 @@ fn notes(
     scene: &Scene,
     part: Result<LinearPart, NotLinear>,
     range: Option<[f64; 2]>,
+    passive: Option<f64>,
 ) -> Vec<String> {
     let effects = &scene.effects;
     let mut notes = Vec::new();
@@ -94,6 +97,9 @@ fn notes(
         uses_velocity && scene.velocity == Velocity::Exact,
         "no stiffness is passive with an exact velocity: a sample of it costs no energy",
     );
+    if passive == Some(0.0) && scene.velocity != Velocity::Exact {
+        damping_note(part).into_iter().for_each(|text| note(true, &text));
+    }
     note(
         range == Some([0.0, 0.0]),
         "no stiffness makes the linear loop stable: it does not decay for any above 0",
@@ -118,6 +124,17 @@ fn notes(
     note(scene.operator.grip.is_some(), "the grip is the one at the start");
     note(scene.stabilizer.is_some(), "the limits are those of the loop without its stabilizer");
     notes
+}
+
+/// The wall's damper as the reason why no stiffness is passive: a sampled one has to be paid by the device's own.
+fn damping_note(part: Result<LinearPart, NotLinear>) -> Option<String> {
+    let LinearPart { environment, device, .. } = part.ok()?;
+    let [wall, own] = [environment.damping, device.damping].map(given);
+    (environment.damping > device.damping).then(|| {
+        format!(
+            "no stiffness is passive: the wall's damping {wall} is above the device's {own} N.s/m"
+        )
+    })
 }
 
 /// Assumptions of the limit of friction and encoder that the scene does not meet.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::measure::{Limits, LinearPart, Summary, Verdict};
-use crate::text::found;
+use crate::text::{found, given};
 
 /// The reason why a run grows: its `Display` gives it in two lines, and nothing for another run.
 #[derive(Clone, Debug)]
@@ -19,6 +19,9 @@ impl<'a> Hint<'a> {
     fn reason(&self) -> String {
         if !self.0.acts() {
             return "no force acts in this run: the loop is not what drives it".to_owned();
+        }
+        if let Some(unpaid) = self.unpaid() {
+            return unpaid;
         }
         let Ok(part) = LinearPart::of(&self.0.scene) else {
             return "no formula applies to this loop".to_owned();
@@ -46,6 +49,17 @@ impl<'a> Hint<'a> {
                 "in contact the linear loop is stable; what drives the run is not in it".to_owned()
             }
         }
+    }
+
+    /// The debt that a cap below the default left, beside which the stiffness explains little.
+    fn unpaid(&self) -> Option<String> {
+        let Summary { scene, shortfall, .. } = self.0;
+        let cap = scene.written_cap().filter(|cap| *cap < scene.default_cap())?;
+        let (cap, most) = (given(cap), given(scene.default_cap()));
+        let told = format!(
+            "the damping cap {cap} m / T left a debt unpaid; try a larger damping_cap, up to {most}"
+        );
+        (*shortfall > 0.0).then_some(told)
     }
 }
 

@@ -1,7 +1,5 @@
 //! Stiffness limits of the linear loop over a map.
 
-use std::fmt;
-
 use rayon::prelude::*;
 
 use super::axis::Axis;
@@ -9,7 +7,6 @@ use super::grid::Grid;
 use super::survey::{Reach, Survey};
 use crate::files::Scene;
 use crate::measure::Limits;
-use crate::text::found;
 
 /// Bounds on the stiffness of the environment, where that is an axis, for values of the other axis.
 #[derive(Clone, Debug)]
@@ -28,12 +25,6 @@ pub struct OverExact {
     pub ratio: f64,
     /// Whether the true ratio may be larger: the runs stay bounded up to the edge of the map.
     pub is_least: bool,
-}
-
-impl fmt::Display for OverExact {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&format!("{}{}", if self.is_least { ">= " } else { "" }, found(self.ratio)))
-    }
 }
 
 /// Curve of one bound along one axis over the values of the other.

@@ -4,7 +4,6 @@ use maud::{Markup, html};
 use serde_json::json;
 
 use super::axis::Axis;
-use super::bounds::Bounds;
 use super::picture::{NamedFigure, label};
 use super::survey::Survey;
 use crate::measure::Verdict;
@@ -14,13 +13,7 @@ use crate::show::verdict::by_speed;
 use crate::text::shell_word;
 
 /// The page of a map with its `figures`, as HTML; `command` made the map of the file `scene`.
-pub fn page(
-    survey: &Survey,
-    bounds: Option<&Bounds>,
-    figures: &[NamedFigure],
-    command: &str,
-    scene: &str,
-) -> String {
+pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str) -> String {
     let grid = survey.grid();
     let text = toml::to_string(&grid.scene).unwrap_or_default();
     let body = html! {
@@ -30,12 +23,10 @@ pub fn page(
         }
         h2 { "Which runs settle, and which stay bounded" }
         p { "Rows: " (ORDER) "." }
-        (table(survey, bounds).to_html("short"))
+        (table(survey).to_html("short"))
         p {
             "Bounded are the cells whose run settles or is swinging; their area, in " (survey.unit()) ", is their share \
-             of the rectangle of both axes, where a logarithmic axis counts in decades. Of the exact limit: the last \
-             bounded stiffness before the first that grows, over the exact limit of the linear loop without a stabilizer, \
-             the middle one over the values of the other axis; >= where it stays bounded up to the edge of the map."
+             of the rectangle of both axes, where a logarithmic axis counts in decades."
         }
         (rendered(survey).to_html("short"))
         p {
@@ -94,10 +85,10 @@ fn middle(axis: &Axis, element: usize, elements: usize) -> u64 {
 }
 
 /// Tables of areas and of what is rendered, for the terminal, with the axes and the unit.
-pub fn areas(survey: &Survey, bounds: Option<&Bounds>) -> String {
+pub fn areas(survey: &Survey) -> String {
     let grid = survey.grid();
     let notes: String = notes(survey).iter().map(|note| format!("{note}\n")).collect();
-    let (area, rendered) = (table(survey, bounds), rendered(survey));
+    let (area, rendered) = (table(survey), rendered(survey));
     format!(
         "{}\n{}\narea in {}\n{notes}{ORDER}\n\n{area}\n{rendered}",
         grid.x,
@@ -125,9 +116,8 @@ fn notes(survey: &Survey) -> Vec<String> {
     by_speed.into_iter().chain(told(short, "are too short to judge")).chain(sign).collect()
 }
 
-/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, the stiffness over the exact
-/// limit, and what is rendered; `-` for an unknown number.
-fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
+/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, and what is rendered; `-` for an unknown number.
+fn table(survey: &Survey) -> Table {
     let headings = [
         Heading::word("stabilizer"),
         Heading::number("settles"),
@@ -135,7 +125,6 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
         Heading::number("bounded\ncells"),
         Heading::number("of"),
         Heading::number("bounded\narea"),
-        Heading::number("of the\nexact limit"),
         Heading::number("rendered"),
     ];
     Table::new(headings).with_rows(survey.ranking().into_iter().map(|index| {
@@ -143,7 +132,6 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
         // Where nothing has a place to rest at, a share of 0 would blame the stabilizer.
         let can_settle = settling.cells > 0 || survey.by_speed() < survey.grid().cells();
         let settles = settling.share.filter(|_| can_settle);
-        let over = bounds.and_then(|bounds| bounds.over_exact(survey, index));
         [
             survey.grid().stabilizers[index].name().into(),
             settles.map(|share| percent(100.0 * share)).into(),
@@ -151,7 +139,6 @@ fn table(survey: &Survey, bounds: Option<&Bounds>) -> Table {
             bounded.cells.to_string().into(),
             survey.judged(index).to_string().into(),
             bounded.area.into(),
-            over.map(|over| over.to_string()).into(),
             survey.rendered(index).percent.map(percent).into(),
         ]
     }))

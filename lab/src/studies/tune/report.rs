@@ -4,7 +4,7 @@ use maud::html;
 
 use super::picture::figure;
 use super::study::{Tuned, Tuning};
-use super::table::{costs, numbers};
+use super::table::{costs, numbers, signs};
 use crate::show::beside::beside;
 use crate::show::csv::{self, Field};
 use crate::show::html;
@@ -19,6 +19,7 @@ pub fn page(name: &str, tuning: &Tuning, tuned: &[Tuned], command: &str) -> Stri
             "Objective " code { (objective.to_string()) } ", " (trials + 1) " settings of " (runs)
             " runs for each stabilizer, seed " (seed) ". Computed by " (html::maker(command)) "."
         }
+        @for sign in signs(tuned).lines() { p { (sign) } }
         h2 { "Default against tuned" }
         (html::figure(Some("tune"), &figure(name, *objective, tuned), &html! {
             "Means over the runs that stay bounded; a setting under which none does has no bar."

@@ -2,8 +2,10 @@
 
 use super::objective::Objective;
 use super::study::{Tuned, Tuning};
+use crate::measure::Summary;
 use crate::show::table::{Heading, Table};
-use crate::text::{found, given};
+use crate::simulate::{Rollout, in_space};
+use crate::text::{folded, found, given};
 
 /// The table of default against tuned, under a head that says how they were found.
 pub fn table(name: &str, tuning: &Tuning, tuned: &[Tuned]) -> String {
@@ -15,11 +17,20 @@ pub fn table(name: &str, tuning: &Tuning, tuned: &[Tuned]) -> String {
         trials + 1
     );
     format!(
-        "{}\n{}\n{}",
+        "{}{}\n{}\n{}",
         textwrap::fill(&head, 100),
+        signs(tuned),
         numbers(tuned),
         costs(tuning.objective, tuned)
     )
+}
+
+/// The signs of a scene in which no force acts, a line each: there is nothing to tune for then.
+pub(super) fn signs(tuned: &[Tuned]) -> String {
+    let Some(Tuned { scene, .. }) = tuned.first() else { return String::new() };
+    let run = in_space!(scene, Axes => Rollout::<Axes>::of(scene).map(|it| Summary::of(scene, it)));
+    let idle = run.ok().filter(|run| !run.acts()).map(|run| run.look_at());
+    idle.into_iter().flatten().map(|it| folded("look at: ", &it.text) + "\n").collect()
 }
 
 /// The numbers as the scene sets them and tuned.
@@ -67,10 +78,10 @@ pub(super) fn costs(objective: Objective, tuned: &[Tuned]) -> Table {
     };
     let mut table = Table::new([
         Heading::word("stabilizer"),
-        Heading::number("bounded\ndefault"),
-        Heading::number("runs\ntuned"),
-        Heading::number(format!("mean cost\ndefault{unit}")),
-        Heading::number(format!("mean cost\ntuned{unit}")),
+        Heading::number("bounded,\ndefault"),
+        Heading::number("bounded,\ntuned"),
+        Heading::number(format!("mean\ncost,\ndefault{unit}")),
+        Heading::number(format!("mean\ncost,\ntuned{unit}")),
         Heading::number(format!("change with\n95 % interval{unit}")),
         Heading::word("tuned is"),
     ]);
@@ -93,11 +104,12 @@ pub(super) fn costs(objective: Objective, tuned: &[Tuned]) -> Table {
     table
 }
 
-/// How the tuned setting compares, and whether it keeps every run bounded.
+/// Comparison of the tuned setting, and whether it keeps every run bounded.
 fn word(one: &Tuned) -> String {
     let (word, judged) = (one.change().word(), &one.judged[1]);
     match judged.runs() - judged.bounded() {
         0 => word.to_owned(),
+        _ if judged.bounded() == 0 => "none bounded".to_owned(),
         grow => format!("{word}; {grow} grow"),
     }
 }

@@ -28,7 +28,7 @@ pub(super) fn start(file: &Teleoperator) -> String {
         if cap.is_infinite() { "no damping cap".to_owned() } else { format!("cap {}", given(cap)) };
     format!(
         "{} mJ in the hand at the start; grows above {} times that, settles with {} of it in motion; \
-         an ideal link rests with {} N;\n\
+         an ideal link rests with {} N\n\
          {cap}, drift taken back at {} mm/s; tank of {} mJ, {} N.s/(m J), share {}; b = {} N.s/m, filters of {} ms",
         found(1e3 * file.stored_at_start()),
         given(BOUND),
