@@ -20,7 +20,7 @@ use super::left_out::LeftOut;
 use super::results::{self, Results, command_line};
 use super::subjects::{self, Subjects};
 use super::tune::tune;
-use super::{BAR, End, print, shown};
+use super::{BAR, End, shown, tell};
 use crate::files::Inputs;
 
 /// Ticks in all from which on a progress bar is worth showing.
@@ -117,11 +117,7 @@ impl Compare {
         if comparisons.len() > 1 && !broken.is_empty() {
             said.push(broken.to_string());
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => print(said.join("\n")),
-        }
+        tell(self.json, self.quiet, text, said.join("\n"))
     }
 
     /// The entrants that are named, if any: the kind of file says who has a name.

@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use super::folder::Folder;
 use super::merge::Merge;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, print, program, shown};
+use super::{BAR, End, named, print, program, shown, tell};
 use crate::files::{Inputs, Output};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
@@ -200,11 +200,7 @@ impl Map {
             let results = results.with_figure("verdicts", &sweep.verdicts())?;
             folder.fill(results.with_figure("sweep", &sweep.curves())?)?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => print(sweep),
-        }
+        tell(self.json, self.quiet, text, sweep)
     }
 
     fn compute(

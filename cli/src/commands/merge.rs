@@ -10,7 +10,7 @@ use lyapunov_lab::map::{
 use super::folder::Folder;
 use super::map::{MERGED, RESULTS, results};
 use super::results::{command_line, names};
-use super::{End, named, print};
+use super::{End, named, tell};
 use crate::files::{Inputs, Output};
 
 /// Put the shards of a map together.
@@ -49,11 +49,7 @@ impl Merge {
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
         let results = results(&survey, bounds.as_ref(), &text, [&command_line(), MERGED])?;
         folder.fill(results.with_rows(output))?;
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => print(areas(&survey, bounds.as_ref())),
-        }
+        tell(self.json, self.quiet, text, areas(&survey, bounds.as_ref()))
     }
 
     /// Paths of the tables, with those in the folders that were named.

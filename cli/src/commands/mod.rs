@@ -177,6 +177,20 @@ pub(crate) fn print(text: impl Display) -> Result<(), End> {
     written.and_then(|()| out.flush()).map_err(standard_output)
 }
 
+/// Prints the result as `json` or `quiet` ask for it: the `document`, nothing, or the `words`.
+pub(crate) fn tell(
+    json: bool,
+    quiet: bool,
+    document: impl Display,
+    words: impl Display,
+) -> Result<(), End> {
+    match (json, quiet) {
+        (true, _) => print(document),
+        (_, true) => Ok(()),
+        _ => print(words),
+    }
+}
+
 /// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.
 ///
 /// Names and texts of others may be part of it, so that nothing in it controls the terminal.
