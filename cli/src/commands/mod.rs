@@ -11,17 +11,14 @@ mod hard;
 mod identify;
 mod left_out;
 mod map;
-mod merge;
 mod observe;
 mod paper;
 mod progress;
-mod refine;
 mod results;
 mod run;
 mod scenes;
 mod schema;
 mod source;
-mod subjects;
 mod tune;
 
 use std::borrow::Cow;

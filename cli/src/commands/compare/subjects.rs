@@ -7,11 +7,11 @@ use lyapunov_lab::compare::{Compared, Names, RunError, Sheet, Subject, page};
 use lyapunov_lab::models::Model;
 use lyapunov_lab::teleoperation::Teleoperator;
 
-use super::compare::{Compare, RESULTS, names};
-use super::folder::Folder;
-use super::left_out::LeftOut;
-use super::results::{self, Results, command_line};
-use super::{End, named, tell};
+use super::{Compare, RESULTS, names};
+use crate::commands::folder::Folder;
+use crate::commands::left_out::LeftOut;
+use crate::commands::results::{self, Results, command_line};
+use crate::commands::{End, named, tell};
 use crate::files::Inputs;
 
 /// Files to compare, each under the path as it was given.

@@ -5,10 +5,10 @@ use std::path::Path;
 use indicatif::ProgressBar;
 use lyapunov_lab::map::{Bounds, Grid, Refined, Run};
 
-use super::folder::Folder;
-use super::map::Map;
-use super::results::{Results, command_line, names};
-use super::{End, shown, tell};
+use super::Map;
+use crate::commands::folder::Folder;
+use crate::commands::results::{Results, command_line, names};
+use crate::commands::{End, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.

@@ -7,10 +7,10 @@ use lyapunov_lab::map::{
     Bounds, MergeError, Shard, areas, document, figure_names, merge, table_name,
 };
 
-use super::folder::Folder;
-use super::map::{MERGED, RESULTS, results};
-use super::results::{command_line, names};
-use super::{End, named, tell};
+use super::{MERGED, RESULTS, results};
+use crate::commands::folder::Folder;
+use crate::commands::results::{command_line, names};
+use crate::commands::{End, named, tell};
 use crate::files::{Inputs, Output};
 
 /// Put the shards of a map together.
