@@ -94,9 +94,7 @@ fn left(on: &Loop<'_>) -> f64 {
 
 const CAP: OwnNumber = OwnNumber::DAMPING_CAP;
 const COUNT: OwnNumber = OwnNumber::new("count", "ticks", Allowed::Ticks, |_| 4.0);
-/// A size without a default where the loop has no encoder.
-const SIZE: OwnNumber =
-    OwnNumber::new("size", "m", Allowed::Positive, |on| on.encoder_count().unwrap_or(f64::NAN));
+const SIZE: OwnNumber = OwnNumber::new("size", "m", Allowed::Positive, |_| f64::NAN);
 
 own!(MyPopc, "my-popc", [CAP], Serves, |on| hand::<V::Scalar>(on, 1.0));
 own!(Leaky, "leaky", [CAP, LEAK], Damps, |on| hand::<V::Scalar>(on, left(on)));
