@@ -1,9 +1,11 @@
 //! Tests of the command from outside, one module for each thing that it is compared with.
 
+mod called;
 mod cli;
 mod compare;
 mod contract;
 mod effects;
+mod for_each;
 mod models;
 mod observe;
 // The bodies of a fuzz target, which the tests below run over changed files.

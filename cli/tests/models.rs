@@ -3,9 +3,10 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use serde_json::Value;
+
+use crate::called::{lyapunov, refuses, text};
 
 const NAMES: [&str; 6] = [
     "van-der-pol",
@@ -18,14 +19,6 @@ const NAMES: [&str; 6] = [
 
 fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/models/{name}.toml"))
-}
-
-fn lyapunov<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_lyapunov")).args(arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
 }
 
 #[test]
@@ -92,12 +85,6 @@ fn the_written_files_agree_with_each_other() {
 #[test]
 fn files_and_options_that_do_not_go_together_are_refused() {
     let (model, scene) = (path("van-der-pol"), path("x").with_file_name("../hold.toml"));
-    let refuses = |arguments: &[&OsStr], words: &[&str]| {
-        let said = lyapunov(arguments);
-        assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
-        let err = text(&said.stderr);
-        assert!(words.iter().all(|word| err.contains(word)), "{err}");
-    };
     let compare: &OsStr = "compare".as_ref();
     refuses(
         &[compare, model.as_ref(), scene.as_ref()],

@@ -3,22 +3,15 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use serde_json::Value;
+
+use crate::called::{lyapunov, refuses, text};
 
 const NAMES: [&str; 3] = ["constant-delay", "varying-delay", "lossy"];
 
 fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../scenes/teleoperation/{name}.toml"))
-}
-
-fn lyapunov<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_lyapunov")).args(arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
 }
 
 const ROWS: [&str; 8] = [
@@ -92,12 +85,6 @@ fn the_written_files_agree_with_each_other() {
 #[test]
 fn files_and_options_that_do_not_go_together_are_refused() {
     let (file, model) = (path("lossy"), path("x").with_file_name("../models/van-der-pol.toml"));
-    let refuses = |arguments: &[&OsStr], words: &[&str]| {
-        let said = lyapunov(arguments);
-        assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
-        let err = text(&said.stderr);
-        assert!(words.iter().all(|word| err.contains(word)), "{err}");
-    };
     let compare: &OsStr = "compare".as_ref();
     let mixed = ["a model of a plant", "a teleoperator", "in calls of their own"];
     refuses(&[compare, file.as_ref(), model.as_ref()], &mixed);

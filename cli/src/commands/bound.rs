@@ -8,7 +8,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{End, named, print};
+use super::{End, named, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -32,7 +32,7 @@ pub(crate) struct Bound {
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
-    /// Say nothing but errors.
+    /// Print nothing but errors.
     #[arg(long)]
     quiet: bool,
 }
@@ -56,10 +56,6 @@ impl Bound {
             }
             folder.fill(results)?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(json),
-            (_, true) => Ok(()),
-            _ => print(format_args!("{name}\n{limits}")),
-        }
+        tell(self.json, self.quiet, json, format_args!("{name}\n{limits}"))
     }
 }

@@ -1,5 +1,7 @@
 //! The command `lyapunov compare` of scenes.
 
+mod subjects;
+
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -15,19 +17,19 @@ use lyapunov_lab::scene::Scene;
 use lyapunov_lab::tune::{Objective, Tuned, Tuning};
 use lyapunov_lab::{Space, in_space, models, teleoperation};
 
+use self::subjects::Subjects;
 use super::folder::Folder;
 use super::left_out::LeftOut;
 use super::results::{self, Results, command_line};
-use super::subjects::{self, Subjects};
 use super::tune::tune;
-use super::{BAR, End, print, shown};
+use super::{BAR, End, shown, tell};
 use crate::files::Inputs;
 
 /// Ticks in all from which on a progress bar is worth showing.
 const LONG: u64 = 1 << 20;
 
 /// The file that `--json` prints.
-pub(super) const RESULTS: &str = "compare.json";
+const RESULTS: &str = "compare.json";
 
 /// Compare stabilizers on the same scenes.
 ///
@@ -40,7 +42,7 @@ pub(super) const RESULTS: &str = "compare.json";
 pub(crate) struct Compare {
     /// The scene files, or files of models or of teleoperators, TOML.
     #[arg(required = true, value_name = "SCENE")]
-    pub(super) scenes: Vec<PathBuf>,
+    scenes: Vec<PathBuf>,
     /// Who takes part, by name, or all: of scenes docs/family.md has the names, and default are none, popc and lolc with
     /// each candidate; of models docs/any-plant.md and of teleoperators docs/teleoperation.md, and default are all.
     #[arg(long, value_name = "NAMES")]
@@ -54,18 +56,18 @@ pub(crate) struct Compare {
     /// Of each scene: positions and sums over time, forces over time, energy by cause, and on how many walls the run stays
     /// bounded against how transparent they are, which takes 144 further runs of each stabilizer. Of others one figure.
     #[arg(long, value_name = "DIR")]
-    pub(super) out: Option<PathBuf>,
+    out: Option<PathBuf>,
     /// Sort by this column, the smallest first; by default the order of registration.
     ///
     /// A column is named by its key in compare.json, such as settling_time_s or ns_per_step.
     #[arg(long, value_name = "COLUMN")]
-    pub(super) by: Option<Column>,
+    by: Option<Column>,
     /// Print compare.json instead of tables.
     #[arg(long, conflicts_with = "quiet")]
-    pub(super) json: bool,
+    json: bool,
     /// Print nothing but errors.
     #[arg(long)]
-    pub(super) quiet: bool,
+    quiet: bool,
 }
 
 impl Compare {
@@ -117,15 +119,11 @@ impl Compare {
         if comparisons.len() > 1 && !broken.is_empty() {
             said.push(broken.to_string());
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => print(said.join("\n")),
-        }
+        tell(self.json, self.quiet, text, said.join("\n"))
     }
 
     /// The entrants that are named, if any: the kind of file says who has a name.
-    pub(super) fn entrants<N>(&self) -> Result<Option<N>, End>
+    fn entrants<N>(&self) -> Result<Option<N>, End>
     where
         N: FromStr<Err: Display>,
     {
@@ -175,7 +173,7 @@ impl Compare {
     }
 
     /// Progress bar, hidden for a short comparison.
-    pub(super) fn progress(&self, ticks: u64) -> ProgressBar {
+    fn progress(&self, ticks: u64) -> ProgressBar {
         shown(ProgressBar::new(ticks), BAR, self.quiet || ticks < LONG)
     }
 
@@ -282,7 +280,7 @@ fn caption(question: &str) -> &'static str {
 /// Names that the files of each scene begin with: the scene file's own, with a number where two are equal.
 ///
 /// They contain no dot, since the name of a figure follows one; so no two files get the same name.
-pub(super) fn names<'a>(scenes: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+fn names<'a>(scenes: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for scene in scenes {
         let stem =

@@ -9,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, print, shown};
+use super::{BAR, End, named, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -66,11 +66,7 @@ impl Effects {
             let results = results.with_figure("effects", &costs.figure())?;
             folder.fill(results.with_file("effects.csv", costs.csv()))?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(json),
-            (_, true) => Ok(()),
-            _ => print(costs),
-        }
+        tell(self.json, self.quiet, json, costs)
     }
 
     /// End for an error: of a scene that was given, bad input.

@@ -9,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{End, named, print};
+use super::{End, named, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -31,7 +31,7 @@ pub(crate) struct Explain {
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
-    /// Say nothing but errors.
+    /// Print nothing but errors.
     #[arg(long)]
     quiet: bool,
 }
@@ -54,10 +54,6 @@ impl Explain {
             let results = results.with_figure("explain", &explanation.figure(&name))?;
             folder.fill(results.with_file("explain.csv", explanation.csv()))?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(json),
-            (_, true) => Ok(()),
-            _ => print(format_args!("{name}\n{explanation}")),
-        }
+        tell(self.json, self.quiet, json, format_args!("{name}\n{explanation}"))
     }
 }

@@ -12,7 +12,7 @@ use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, print, shown};
+use super::{BAR, End, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -92,9 +92,7 @@ impl Hard {
             let results = Results::new(page, RESULTS, &text);
             folder.fill(results.with_file("hard.csv", catalogue.csv()))?;
         }
-        if !self.quiet {
-            print(if self.json { text } else { catalogue.to_string() })?;
-        }
+        tell(self.json, self.quiet, text, &catalogue)?;
         let failed = catalogue.rows.iter().filter(|row| !row.passed).count();
         if failed == 0 { Ok(()) } else { Err(End::Failed(format!("{failed} hard cases failed"))) }
     }

@@ -10,7 +10,7 @@ use super::apart::apart;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{End, print};
+use super::{End, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -64,10 +64,6 @@ impl Identify {
             let results = results.with_file("identify.toml", identified.scene.as_str());
             folder.fill(results.with_file("identify.csv", identified.csv()))?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(json),
-            (_, true) => Ok(()),
-            _ => print(identified),
-        }
+        tell(self.json, self.quiet, json, identified)
     }
 }

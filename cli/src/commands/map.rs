@@ -1,5 +1,8 @@
 //! The command `lyapunov map`.
 
+mod merge;
+mod refine;
+
 use std::fmt::Write as _;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -15,22 +18,22 @@ use lyapunov_lab::scene::Scene;
 use lyapunov_lab::shell_word;
 use rayon::prelude::*;
 
+use self::merge::Merge;
 use super::folder::Folder;
-use super::merge::Merge;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, print, program, shown};
+use super::{BAR, End, named, print, program, shown, tell};
 use crate::files::{Inputs, Output};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
 
 /// The file that `--json` prints.
-pub(super) const RESULTS: &str = "map.json";
+const RESULTS: &str = "map.json";
 
 /// The file that `--json` prints of a sweep.
 const SWEEP: &str = "sweep.json";
 
 /// The file of the scene that the page of merged shards shows, as its commands name it.
-pub(super) const MERGED: &str = "scene.toml";
+const MERGED: &str = "scene.toml";
 
 /// Map in which cells of a grid of two numbers of a scene the run settles, swings or grows, and how it behaves.
 ///
@@ -49,7 +52,7 @@ pub(crate) struct Map {
     merge: Option<Shards>,
     /// The scene file, TOML.
     #[arg(required = true, value_name = "SCENE")]
-    pub(super) scene: Option<PathBuf>,
+    scene: Option<PathBuf>,
     /// The axis to the right: a number of the scene, or of a stabilizer that takes part, by its dotted key.
     #[arg(long, required = true, value_name = "KEY=FROM..TO:N[:log]")]
     x: Option<Axis>,
@@ -61,7 +64,7 @@ pub(crate) struct Map {
     stabilizers: StabilizerNames,
     /// Write the map into this folder; made if not there.
     #[arg(long, value_name = "DIR")]
-    pub(super) out: Option<PathBuf>,
+    out: Option<PathBuf>,
     /// Go on with the unfinished map in the folder; not for a sweep, which is a map without --y.
     #[arg(long, requires_all = ["out", "y"])]
     resume: bool,
@@ -77,10 +80,10 @@ pub(crate) struct Map {
     threads: Option<u16>,
     /// Print map.json instead of the table.
     #[arg(long, conflicts_with = "quiet")]
-    pub(super) json: bool,
+    json: bool,
     /// Print nothing but errors.
     #[arg(long)]
-    pub(super) quiet: bool,
+    quiet: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -200,11 +203,7 @@ impl Map {
             let results = results.with_figure("verdicts", &sweep.verdicts())?;
             folder.fill(results.with_figure("sweep", &sweep.curves())?)?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => print(sweep),
-        }
+        tell(self.json, self.quiet, text, sweep)
     }
 
     fn compute(
@@ -242,7 +241,7 @@ impl Map {
     }
 
     /// End of a map that this error ends.
-    pub(super) fn ended(&self, error: RunError) -> End {
+    fn ended(&self, error: RunError) -> End {
         match error {
             RunError::Stopped => End::Interrupted,
             RunError::Threads(_) => End::input(error),
@@ -252,7 +251,7 @@ impl Map {
     }
 
     /// Input error about the map in this file.
-    pub(super) fn blame(&self, error: impl std::fmt::Display) -> End {
+    fn blame(&self, error: impl std::fmt::Display) -> End {
         let file = self.scene.as_deref().map_or_else(String::new, named);
         End::input(format!("{file}: {error}"))
     }
@@ -331,7 +330,7 @@ fn kept(checkpoint: &Checkpoint, cells: Range<u64>) -> End {
 }
 
 /// The files beside the table; `command` made them of the file `scene`.
-pub(super) fn results(
+fn results(
     survey: &Survey,
     bounds: Option<&Bounds>,
     text: &str,

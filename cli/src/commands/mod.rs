@@ -11,17 +11,14 @@ mod hard;
 mod identify;
 mod left_out;
 mod map;
-mod merge;
 mod observe;
 mod paper;
 mod progress;
-mod refine;
 mod results;
 mod run;
 mod scenes;
 mod schema;
 mod source;
-mod subjects;
 mod tune;
 
 use std::borrow::Cow;
@@ -175,6 +172,20 @@ pub(crate) fn print(text: impl Display) -> Result<(), End> {
     let mut out = io::stdout().lock();
     let written = out.write_all(text.to_string().as_bytes());
     written.and_then(|()| out.flush()).map_err(standard_output)
+}
+
+/// Prints the result as `json` or `quiet` ask for it: the `document`, nothing, or the `words`.
+pub(crate) fn tell(
+    json: bool,
+    quiet: bool,
+    document: impl Display,
+    words: impl Display,
+) -> Result<(), End> {
+    match (json, quiet) {
+        (true, _) => print(document),
+        (_, true) => Ok(()),
+        _ => print(words),
+    }
 }
 
 /// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.

@@ -71,7 +71,7 @@ pub(crate) struct Run {
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
-    /// Say nothing but errors.
+    /// Print nothing but errors.
     #[arg(long)]
     quiet: bool,
 }

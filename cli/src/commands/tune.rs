@@ -11,7 +11,7 @@ use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, fig
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, print, shown};
+use super::{BAR, End, named, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -83,18 +83,12 @@ impl Tune {
             }
             folder.fill(results)?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => {
-                let mut said = table(&name, &tuning, &tuned);
-                if let Some(best) = Tuned::best(&tuned) {
-                    let scene = best.text().map_err(End::internal)?;
-                    let _ = write!(said, "\nThe scene with {}, tuned:\n\n{scene}", best.name);
-                }
-                print(said)
-            }
+        let mut said = table(&name, &tuning, &tuned);
+        if let Some(best) = Tuned::best(&tuned) {
+            let scene = best.text().map_err(End::internal)?;
+            let _ = write!(said, "\nThe scene with {}, tuned:\n\n{scene}", best.name);
         }
+        tell(self.json, self.quiet, text, said)
     }
 }
 

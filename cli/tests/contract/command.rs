@@ -2,10 +2,11 @@
 
 use crate::contract::binary::run;
 use crate::contract::facts;
-use crate::contract::generate::{self, for_each, without_encoder};
+use crate::contract::generate::{self, without_encoder};
 use crate::contract::rows;
 use crate::contract::scene::{Kind, SOFT, STIFF, Scalar, Scene, Work};
 use crate::contract::trace;
+use crate::for_each::for_each;
 
 fn follows(scene: &Scene) -> Result<(), String> {
     let told = |error| format!("{error}\n{}", scene.toml());
@@ -41,14 +42,14 @@ fn known_traces_agree_in_f32() {
 
 #[test]
 fn random_traces_agree() {
-    for_each(generate::scenes(Scalar::F64, 4.0), 120, 11, agrees);
+    for_each(generate::scenes(Scalar::F64, 4.0), 120, 200, 11, agrees);
 }
 
 #[test]
 fn random_traces_agree_in_f32() {
     use proptest::strategy::Strategy;
     let scenes = generate::scenes(Scalar::F32, 4.0).prop_map(without_encoder);
-    for_each(scenes, 80, 12, agrees);
+    for_each(scenes, 80, 200, 12, agrees);
 }
 
 #[test]
@@ -65,12 +66,12 @@ fn rows_of_known_scenes_follow_in_f32() {
 
 #[test]
 fn rows_of_random_scenes_follow() {
-    for_each(generate::scenes(Scalar::F64, 20.0), 60, 13, follows);
+    for_each(generate::scenes(Scalar::F64, 20.0), 60, 200, 13, follows);
 }
 
 #[test]
 fn rows_of_random_scenes_follow_in_f32() {
-    for_each(generate::scenes(Scalar::F32, 20.0), 60, 14, follows);
+    for_each(generate::scenes(Scalar::F32, 20.0), 60, 200, 14, follows);
 }
 
 /// Chaotic, settling, uncapped and growing loops, at the longest duration and at the fastest rate of these tests.

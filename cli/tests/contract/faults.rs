@@ -2,13 +2,14 @@
 
 use crate::contract::conditioning::shortened;
 use crate::contract::fault::Fault;
-use crate::contract::generate::{for_each, known, scenes, ties};
+use crate::contract::generate::{known, scenes, ties};
 use crate::contract::reference::{self, Disturbance};
 use crate::contract::row::Row;
 use crate::contract::rows;
 use crate::contract::scene::{STIFF, Scalar, Scene};
 use crate::contract::second;
 use crate::contract::trace;
+use crate::for_each::for_each;
 
 /// Two formulations that share no formula agree where rounding decides nothing; their rows agree everywhere.
 fn both_forms_agree(scene: &Scene) -> Result<(), String> {
@@ -28,13 +29,13 @@ fn both_forms_agree_on_known_scenes() {
 
 #[test]
 fn both_forms_agree_on_random_scenes() {
-    for_each(scenes(Scalar::F64, 1.0), 300, 1, both_forms_agree);
+    for_each(scenes(Scalar::F64, 1.0), 300, 200, 1, both_forms_agree);
 }
 
 #[test]
 fn rows_of_long_runs_follow() {
     let follow = |scene: &Scene| rows::follow(scene, &reference::run(scene));
-    for_each(scenes(Scalar::F64, 20.0), 200, 2, follow);
+    for_each(scenes(Scalar::F64, 20.0), 200, 200, 2, follow);
 }
 
 /// Rounding errors of the scalar, added to the state and to each column, must pass.
@@ -50,8 +51,8 @@ fn rounded_follows(scene: &Scene) -> Result<(), String> {
 
 #[test]
 fn rounding_is_no_fault() {
-    for_each(scenes(Scalar::F64, 20.0), 200, 3, rounded_follows);
-    for_each(scenes(Scalar::F32, 20.0), 200, 4, rounded_follows);
+    for_each(scenes(Scalar::F64, 20.0), 200, 200, 3, rounded_follows);
+    for_each(scenes(Scalar::F32, 20.0), 200, 200, 4, rounded_follows);
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Scenes of the tests: a list by hand, and random ones from fixed seeds.
 
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
 use crate::contract::scene::{
     Device, Initial, Kind, Operator, SOFT, STIFF, Scalar, Scene, Stabilizer, Velocity, Wall, Work,
@@ -189,23 +188,4 @@ pub(crate) fn scenes(scalar: Scalar, longest: f64) -> impl Strategy<Value = Scen
         }
         scene
     })
-}
-
-pub(crate) fn for_each(
-    scenes: impl Strategy<Value = Scene>,
-    cases: u32,
-    seed: u64,
-    check: impl Fn(&Scene) -> Result<(), String>,
-) {
-    let config = Config {
-        cases,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(seed),
-        max_shrink_iters: 200,
-        ..Config::default()
-    };
-    let checked = |scene: Scene| check(&scene).map_err(TestCaseError::fail);
-    if let Err(error) = TestRunner::new(config).run(&scenes, checked) {
-        panic!("{error}");
-    }
 }

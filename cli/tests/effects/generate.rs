@@ -1,7 +1,6 @@
 //! Random scenes from fixed seeds.
 
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngSeed, TestCaseError, TestRunner};
 
 use crate::effects::scene::{
     Dropout, Environment, Filter, Friction, Kind, Motion, Operator, Pulse, Scene, Stabilizer,
@@ -231,23 +230,4 @@ pub(crate) fn scenes(single: bool) -> impl Strategy<Value = Scene> {
                 },
             )
     })
-}
-
-pub(crate) fn for_each(
-    scenes: impl Strategy<Value = Scene>,
-    cases: u32,
-    seed: u64,
-    check: impl Fn(&Scene) -> Result<(), String>,
-) {
-    let config = Config {
-        cases,
-        failure_persistence: None,
-        rng_seed: RngSeed::Fixed(seed),
-        max_shrink_iters: 20,
-        ..Config::default()
-    };
-    let checked = |scene: Scene| check(&scene).map_err(TestCaseError::fail);
-    if let Err(error) = TestRunner::new(config).run(&scenes, checked) {
-        panic!("{error}");
-    }
 }

@@ -5,13 +5,14 @@ use std::cell::Cell;
 use proptest::strategy::Strategy;
 
 use crate::effects::compare::{agrees, follows};
-use crate::effects::generate::{for_each, scenes};
+use crate::effects::generate::scenes;
 use crate::effects::scene::Scene;
+use crate::for_each::for_each;
 
 /// Compares the traces, and asserts that more than `part` of their ticks is determined.
 fn all_agree(scenes: impl Strategy<Value = Scene>, cases: u32, seed: u64, part: f64) {
     let (whole, compared) = (Cell::new(0), Cell::new(0));
-    for_each(scenes, cases, seed, |scene| {
+    for_each(scenes, cases, 20, seed, |scene| {
         whole.set(whole.get() + scene.ticks());
         compared.set(compared.get() + agrees(scene)?);
         Ok(())
@@ -37,5 +38,5 @@ fn traces_agree_in_f32() {
 
 #[test]
 fn rows_follow() {
-    for_each(scenes(false), 40, 43, |scene| follows(&Scene { duration: 2.0, ..scene.clone() }));
+    for_each(scenes(false), 40, 20, 43, |scene| follows(&Scene { duration: 2.0, ..scene.clone() }));
 }

@@ -5,5 +5,6 @@ pub(crate) mod models;
 pub mod scene;
 pub(crate) mod shipped;
 pub(crate) mod teleoperation;
+mod unopened;
 
 pub(crate) use scene::Scene;

@@ -177,6 +177,14 @@ fn axes<T: Named, const N: usize>(header: &mut Header) {
 }
 
 fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
+    sample::<V>(header);
+    correction::<V>(header);
+    checked::<V>(header);
+    wave::<V>(header);
+    candidate::<V>(header);
+}
+
+fn sample<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
     type Sample<V> = SampleForm<V>;
     let fields = [
         field!(Sample<V>, period, V::Scalar, "Time since the last call, s: above 0 and finite."),
@@ -197,6 +205,9 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
         ),
     ];
     header.fields(&Sample::<V>::name(), size_of::<Sample<V>>(), &fields);
+}
+
+fn correction<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
     type Out<V> = CorrectionForm<V>;
     let fields = [
         field!(Out<V>, effort, V::Form, "The effort to command, correction included, N."),
@@ -227,6 +238,9 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
         field!(Out<V>, code, u32, "What the call returned."),
     ];
     header.fields(&Out::<V>::name(), size_of::<Out<V>>(), &fields);
+}
+
+fn checked<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
     type Checked<V> = CheckedForm<V>;
     let fields = [
         field!(
@@ -246,6 +260,9 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
         field!(Checked<V>, timed, u32, "1 if the time could be used; always 1 at a fixed period."),
     ];
     header.fields(&Checked::<V>::name(), size_of::<Checked<V>>(), &fields);
+}
+
+fn wave<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
     type Wave<V> = WaveForm<V>;
     let fields = [
         field!(Wave<V>, flow, V::Form, "The flow, m/s."),
@@ -254,6 +271,9 @@ fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
         field!(Wave<V>, back, V::Form, "The wave that comes back, root of W."),
     ];
     header.fields(&Wave::<V>::name(), size_of::<Wave<V>>(), &fields);
+}
+
+fn candidate<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
     let (number, candidate) = (V::Scalar::name(), Candidate::<V>::name());
     let sample = <*const SampleForm<V>>::name();
     let declared = format!("typedef {number} (*{candidate})(void *context, {sample}sample);");

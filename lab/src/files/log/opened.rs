@@ -1,8 +1,10 @@
 //! Log as a file.
 
 use std::fs::File;
-use std::io::{Error, ErrorKind, Result};
+use std::io::{Error, Result};
 use std::path::Path;
+
+use crate::files::unopened::unopened;
 
 /// The file at `path`; an error has its remedy in a second line.
 ///
@@ -17,13 +19,8 @@ pub fn opened(path: &Path) -> Result<File> {
 }
 
 fn remedied(error: Error) -> Error {
-    match error.kind() {
-        ErrorKind::NotFound => Error::other(
-            "there is no such file\n  = check the path; it is taken from the current folder",
-        ),
-        ErrorKind::PermissionDenied => Error::other(
-            "this file may not be read\n  = check its permissions and those of its folder",
-        ),
-        _ => error,
+    match unopened(error.kind()) {
+        Some([wrong, remedy]) => Error::other(format!("{wrong}\n  = {remedy}")),
+        None => error,
     }
 }

@@ -8,6 +8,7 @@ use super::book::Book;
 use super::diagnostic::Diagnostic;
 use super::document::names_any;
 use crate::files::shipped::SCENES;
+use crate::files::unopened::unopened;
 
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 20;
@@ -73,26 +74,24 @@ fn read(book: &Book, path: &Path, name: &str) -> Result<Vec<u8>, Diagnostic> {
 }
 
 fn unreadable(book: &Book, error: &io::Error, name: &str) -> Diagnostic {
-    match error.kind() {
-        io::ErrorKind::NotFound => {
-            Diagnostic::new(name, "there is no such file").with_help(absent(name))
+    match unopened(error.kind()) {
+        Some([wrong, remedy]) if error.kind() == io::ErrorKind::NotFound => {
+            Diagnostic::new(name, wrong).with_help(format!("{remedy}{}", saved(name)))
         }
-        io::ErrorKind::PermissionDenied => Diagnostic::new(name, "this file may not be read")
-            .with_help("check its permissions and those of its folder"),
-        _ => Diagnostic::new(name, format!("this file cannot be read: {error}"))
+        Some([wrong, remedy]) => Diagnostic::new(name, wrong).with_help(remedy),
+        None => Diagnostic::new(name, format!("this file cannot be read: {error}"))
             .with_help(expected(book)),
     }
 }
 
-/// The remedy for the path of a file that is not there: one that ships with such a name can be saved.
-fn absent(path: &str) -> String {
-    let check = "check the path; it is taken from the current folder";
+/// The rest of the remedy for the path of a file that is not there: one that ships with such a name can be saved.
+fn saved(path: &str) -> String {
     let name = Path::new(path).file_stem().and_then(|it| it.to_str()).unwrap_or_default();
     match SCENES.iter().find(|scene| scene.name == name) {
-        Some(_) => format!(
-            "{check}; `lyapunov scenes {name} > {name}.toml` saves the shipped file of that name"
-        ),
-        None => check.to_owned(),
+        Some(_) => {
+            format!("; `lyapunov scenes {name} > {name}.toml` saves the shipped file of that name")
+        }
+        None => String::new(),
     }
 }
 

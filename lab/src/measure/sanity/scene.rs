@@ -6,7 +6,7 @@ use lyapunov::environments::Time;
 
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
 use crate::files::Scene;
-use crate::files::scene::Motion;
+use crate::files::scene::{Effects, Motion};
 use crate::simulate::equilibrium::last_pull;
 use crate::text::{found, given};
 
@@ -74,17 +74,8 @@ pub(super) fn signs(scene: &Scene) -> Vec<Oddity> {
 }
 
 fn bounded(scene: &Scene) -> Vec<Bounded> {
-    let number = |key: &str, value: f64, unit, [least, most]: [f64; 2], mistaken| Bounded {
-        key: key.to_owned(),
-        value,
-        unit,
-        least,
-        most,
-        mistaken,
-    };
-    let (effects, operator) = (&scene.effects, &scene.operator);
-    let up_to = |most: f64| [0.0, most];
-    let (masses, lengths, forces) = (["g", "t"], ["mm", "km"], ["mN", "kN"]);
+    let operator = &scene.operator;
+    let masses = ["g", "t"];
     let (hand, own) = (operator.stiffness.get(), scene.device.mass.get());
     let together = own + operator.mass.get();
     let (device, holder) = scene.link.map_or((together, hand), |it| (own, it.stiffness.get()));
@@ -119,7 +110,13 @@ fn bounded(scene: &Scene) -> Vec<Bounded> {
         let units = ["mN/m", "N/mm"];
         all.push(number(&key, impedance.stiffness, "N/m", [least, STIFF], units));
     }
-    let further = [
+    all.extend(bounded_of(&scene.effects));
+    all
+}
+
+fn bounded_of(effects: &Effects) -> impl Iterator<Item = Bounded> {
+    let (lengths, forces) = (["mm", "km"], ["mN", "kN"]);
+    let numbers = [
         effects.encoder.map(|it| {
             let size = it.resolution.get();
             number("effects.encoder.resolution", size, "m", up_to(COARSE), lengths)
@@ -138,8 +135,21 @@ fn bounded(scene: &Scene) -> Vec<Bounded> {
             number("effects.saturation.force", it.force.get(), "N", range, forces)
         }),
     ];
-    all.extend(further.into_iter().flatten());
-    all
+    numbers.into_iter().flatten()
+}
+
+fn number(
+    key: &str,
+    value: f64,
+    unit: &'static str,
+    [least, most]: [f64; 2],
+    mistaken: [&'static str; 2],
+) -> Bounded {
+    Bounded { key: key.to_owned(), value, unit, least, most, mistaken }
+}
+
+fn up_to(most: f64) -> [f64; 2] {
+    [0.0, most]
 }
 
 /// A way from the start to where the hand pulls that no arm goes.

@@ -85,7 +85,16 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
     );
 
     check_energy_given(scene, &rows, score);
+    check_contacts(&rows, &wall, score);
+    check_errors(&rows, &wall, score);
+    assert_relative_eq!(score.active.unwrap(), 100.0, epsilon = 1e-18, max_relative = 1e-9);
+    assert_relative_eq!(score.shortfall.unwrap(), 0.0, epsilon = 1e-18, max_relative = 1e-9);
+    assert!(score.verdict.is_bounded());
+    assert_eq!(score.state_bytes, 8);
+}
 
+/// Checks peaks and felt stiffness against the ticks on which the force of the `wall` is not 0.
+fn check_contacts(rows: &[Row], wall: &[f64], score: &Score) {
     let mut contacts: Vec<Vec<usize>> = vec![Vec::new()];
     for (n, force) in wall.iter().enumerate() {
         match contacts.last_mut() {
@@ -109,16 +118,17 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
         epsilon = 1e-18,
         max_relative = 1e-9
     );
+}
 
+/// Checks the forces against those of the ideal wall at the rows' motion.
+fn check_errors(rows: &[Row], wall: &[f64], score: &Score) {
+    let law = |row: &Row| {
+        let depth = row.x - 0.002;
+        if depth > 0.0 { (2000.0 * depth + row.v).max(0.0) } else { 0.0 }
+    };
     let touching = |n: &usize| wall[*n] != 0.0 || rows[*n].x > 0.002;
-    let errors: Vec<f64> = (0..rows.len())
-        .filter(touching)
-        .map(|n| {
-            let depth = rows[n].x - 0.002;
-            let ideal = if depth > 0.0 { (2000.0 * depth + rows[n].v).max(0.0) } else { 0.0 };
-            (rows[n].f_act - ideal).powi(2)
-        })
-        .collect();
+    let error = |n: usize| (rows[n].f_act - law(&rows[n])).powi(2);
+    let errors: Vec<f64> = (0..rows.len()).filter(touching).map(error).collect();
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     assert_relative_eq!(
         score.force_error.unwrap(),
@@ -126,17 +136,9 @@ fn check_against_rows(scene: &Scene, damper: Damper) {
         epsilon = 1e-18,
         max_relative = 1e-9
     );
-    let law = |row: &Row| {
-        let depth = row.x - 0.002;
-        if depth > 0.0 { (2000.0 * depth + row.v).max(0.0) } else { 0.0 }
-    };
     let felt: f64 = rows.iter().map(|row| row.f_act * law(row)).sum();
     let felt = 100.0 * felt / rows.iter().map(|row| law(row).powi(2)).sum::<f64>();
     assert_relative_eq!(score.force_felt.unwrap(), felt, epsilon = 0.0, max_relative = 1e-9);
-    assert_relative_eq!(score.active.unwrap(), 100.0, epsilon = 1e-18, max_relative = 1e-9);
-    assert_relative_eq!(score.shortfall.unwrap(), 0.0, epsilon = 1e-18, max_relative = 1e-9);
-    assert!(score.verdict.is_bounded());
-    assert_eq!(score.state_bytes, 8);
 }
 
 /// Checks what the port gave against the work of the rows' forces on a motion integrated in steps of a thousandth of a

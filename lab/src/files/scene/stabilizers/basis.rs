@@ -6,6 +6,9 @@ use super::directed_damping::Direction;
 use super::{Reference, Search};
 use crate::files::scene::{Damping, Scene};
 
+/// Cells of a memory.
+pub(super) const CELLS: usize = 256;
+
 /// Slots of a credit window.
 pub(super) const SLOTS: usize = 8;
 
@@ -75,11 +78,11 @@ impl Basis {
         if rate > 0.0 { rate } else { f64::INFINITY }
     }
 
-    /// The length of each of `cells` cells of a memory, m: one count of the encoder, else one tick's motion at the swing's
+    /// The length of each of the cells of a memory, m: one count of the encoder, else one tick's motion at the swing's
     /// speed, or more where they would not reach [twice as deep](Self::depth) as the energy presses.
-    pub(super) fn cell(&self, cells: usize) -> f64 {
+    pub(super) fn cell(&self) -> f64 {
         let moved = self.count.unwrap_or(self.speed * self.limit.period);
-        let reaching = 2.0 * self.depth() / cells as f64;
+        let reaching = 2.0 * self.depth() / CELLS as f64;
         let cell = moved.max(reaching);
         if cell > 0.0 && cell.is_finite() { cell } else { SMALLEST_CELL }
     }

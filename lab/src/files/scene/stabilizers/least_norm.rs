@@ -11,10 +11,7 @@ table! {
     LeastNorm = "least-norm" {
         words {}
         numbers {
-            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
-            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
-            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
-            |_, on| on.limit.cap, |_, on| on.caps();
+            damping_cap;
             /// Share of the observed energy that a tick may spend, greater than 0 and at most 1; default 1.
             decay: Share, "", "decay = 1.0", |_, _| 1.0, |_, _| Search::ratios(0.01, 1.0);
         }

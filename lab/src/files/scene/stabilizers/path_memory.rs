@@ -2,12 +2,10 @@
 
 use lyapunov::{ParameterError, Scalar, stabilizers::PathMemory as Law};
 
+use super::basis::CELLS;
 use super::kind::{Install, OnALine, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, LedgerKind, Manner, Pledge, Search};
-
-/// Cells of a memory.
-const CELLS: usize = 256;
 
 table! {
     /// Memory of a path: letting go gives no more, place by place, than pressing in took there.
@@ -21,7 +19,7 @@ table! {
             /// encoder what a tick moves at the speed of the energy that the motion starts with, but at least so much
             /// that the cells reach twice as deep as a spring like the environment takes up that energy.
             cell: Positive, "m", "cell = 1e-5  # m",
-            |_, on| on.cell(CELLS), |at, _| Search::ratios(0.1 * at, 10.0 * at);
+            |_, on| on.cell(), |at, _| Search::ratios(0.1 * at, 10.0 * at);
         }
     }
 }

@@ -12,10 +12,7 @@ table! {
     PopcRising = "popc-rising" {
         words {}
         numbers {
-            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
-            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
-            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
-            |_, on| on.limit.cap, |_, on| on.caps();
+            damping_cap;
             /// Ticks over which a correction rises, a whole number from 1 to 1000000; default: 2, or those of a tick of
             /// the environment if they are more.
             ticks: Ticks, "servo ticks", "ticks = 4  # servo ticks",

@@ -13,10 +13,7 @@ table! {
     PopcWindowed = "popc-windowed" {
         words {}
         numbers {
-            /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5, where a force
-            /// acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
-            damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
-            |_, on| on.limit.cap, |_, on| on.caps();
+            damping_cap;
             /// Time after which credit expires in s, greater than 0, in 8 slots; default: one swing of the hand.
             window: Positive, "s", "window = 0.5  # s",
             |_, on| on.swing, |at, on| Search::ratios(SLOTS as f64 * on.limit.period, 10.0 * at);

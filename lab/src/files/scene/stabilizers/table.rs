@@ -4,8 +4,29 @@
 ///
 /// `words` are keys with a default of their own. `numbers` have one that follows from the loop: a function of the table
 /// and of the [`Basis`](super::Basis) gives it, and one of that default and of the basis the range to
-/// [search](super::kind::Search).
+/// [search](super::kind::Search). `damping_cap;` as the first of them is the one that many tables have.
 macro_rules! table {
+    (
+        $(#[$about:meta])*
+        $Table:ident = $name:literal {
+            words { $($words:tt)* }
+            numbers { damping_cap; $($numbers:tt)* }
+        }
+    ) => {
+        table! {
+            $(#[$about])*
+            $Table = $name {
+                words { $($words)* }
+                numbers {
+                    /// Limit of the injected damping in units of m / T, 0 or more, inf for no limit; default 0.5,
+                    /// where a force acts d ticks late 0.5 tan(pi / (4 (d + 1))). A limit of 0 only observes.
+                    damping_cap: Cap, "m / T", "damping_cap = 0.5  # m / T",
+                    |_, on| on.limit.cap, |_, on| on.caps();
+                    $($numbers)*
+                }
+            }
+        }
+    };
     (
         $(#[$about:meta])*
         $Table:ident = $name:literal {

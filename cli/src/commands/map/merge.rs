@@ -7,10 +7,10 @@ use lyapunov_lab::map::{
     Bounds, MergeError, Shard, areas, document, figure_names, merge, table_name,
 };
 
-use super::folder::Folder;
-use super::map::{MERGED, RESULTS, results};
-use super::results::{command_line, names};
-use super::{End, named, print};
+use super::{MERGED, RESULTS, results};
+use crate::commands::folder::Folder;
+use crate::commands::results::{command_line, names};
+use crate::commands::{End, named, tell};
 use crate::files::{Inputs, Output};
 
 /// Put the shards of a map together.
@@ -49,11 +49,7 @@ impl Merge {
         let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
         let results = results(&survey, bounds.as_ref(), &text, [&command_line(), MERGED])?;
         folder.fill(results.with_rows(output))?;
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => print(areas(&survey)),
-        }
+        tell(self.json, self.quiet, text, areas(&survey))
     }
 
     /// Paths of the tables, with those in the folders that were named.

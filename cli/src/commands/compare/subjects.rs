@@ -7,11 +7,11 @@ use lyapunov_lab::compare::{Compared, Names, RunError, Sheet, Subject, page};
 use lyapunov_lab::models::Model;
 use lyapunov_lab::teleoperation::Teleoperator;
 
-use super::compare::{Compare, RESULTS, names};
-use super::folder::Folder;
-use super::left_out::LeftOut;
-use super::results::{self, Results, command_line};
-use super::{End, named, print};
+use super::{Compare, RESULTS, names};
+use crate::commands::folder::Folder;
+use crate::commands::left_out::LeftOut;
+use crate::commands::results::{self, Results, command_line};
+use crate::commands::{End, named, tell};
 use crate::files::Inputs;
 
 /// Files to compare, each under the path as it was given.
@@ -89,11 +89,8 @@ pub(super) fn run<C: Compared>(
     if let Some(folder) = folder {
         fill::<C>(&folder, &sheets, &text)?;
     }
-    if asked.json {
-        print(text)?;
-    } else if !asked.quiet {
-        print(sheets.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))?;
-    }
+    let said: Vec<String> = sheets.iter().map(ToString::to_string).collect();
+    tell(asked.json, asked.quiet, text, said.join("\n"))?;
     left_out.end()
 }
 

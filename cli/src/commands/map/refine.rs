@@ -5,10 +5,10 @@ use std::path::Path;
 use indicatif::ProgressBar;
 use lyapunov_lab::map::{Bounds, Grid, Refined, Run};
 
-use super::folder::Folder;
-use super::map::Map;
-use super::results::{Results, command_line, names};
-use super::{End, print, shown};
+use super::Map;
+use crate::commands::folder::Folder;
+use crate::commands::results::{Results, command_line, names};
+use crate::commands::{End, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -36,10 +36,6 @@ impl Map {
             let results = Results::new(page, RESULTS, &text).with_file("judged.csv", refined.csv());
             folder.fill(results.with_figure("edge", &refined.figure(bounds.as_ref()))?)?;
         }
-        match (self.json, self.quiet) {
-            (true, _) => print(text),
-            (_, true) => Ok(()),
-            _ => print(refined),
-        }
+        tell(self.json, self.quiet, text, refined)
     }
 }
