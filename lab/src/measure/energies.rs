@@ -44,7 +44,7 @@ impl<V: Signal> Energies<V> {
     /// `max(0, −min W_e(n))`, J: the energy that the environment gave beyond all it had been given. No passive wall
     /// gives any, so it comes from sampling, hold, encoder, saturation and delay.
     pub(crate) fn injected(&self) -> V::Scalar {
-        -self.least
+        V::Scalar::of(0.0) - self.least
     }
 
     /// `W_c` at the end, J: the energy that the controller's force took out of the motion; negative if it fed the

@@ -19,7 +19,7 @@ pub struct Row {
     pub v: f64,
     /// The environment's force, N.
     pub f_env: f64,
-    /// The controller's force, N.
+    /// The controller's force, what the stabilizer adds to the environment's, N.
     pub f_ctl: f64,
     /// The commanded force, after saturation, N.
     pub f_out: f64,
@@ -117,9 +117,67 @@ fn along<V: Space>(tick: &Tick<V>, axis: usize) -> [f64; 7] {
         tick.measured.position,
         tick.measured.velocity,
         tick.environment,
-        tick.control(),
+        tick.added(),
         tick.command,
         tick.applied,
     ];
     signals.map(|signal| signal.axis(axis))
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_abs_diff_eq;
+    use nalgebra::Vector2;
+
+    use super::*;
+    use crate::simulate::Rollout;
+
+    fn scene(text: &str) -> Scene {
+        let usual = "duration = 0.5\nservo_rate = 1000\ndevice = { mass = 0.1, damping = 0.1 }\n";
+        Scene::parse(&format!("{usual}{text}"), "test").unwrap_or_else(|fault| panic!("{fault}"))
+    }
+
+    /// The force of the controller is what the commanded force is more than the environment's, in any stabilizer.
+    #[test]
+    fn the_controller_s_force_is_what_it_adds() {
+        let line =
+            "initial = { position = -0.001, velocity = 0.3 }\nenvironment.wall.stiffness = 2000\n";
+        for table in [
+            "popc = {}",
+            "lolc = {}",
+            "tank.start = 1e-4",
+            "force-bound.budget = 1e-4",
+            "energy-bounding = {}",
+            "force-bounding = {}",
+            "memory-based = {}",
+            "slope-bound = {}",
+            "iss = {}",
+            "virtual-coupling = {}",
+            "least-norm = {}",
+        ] {
+            let scene = scene(&format!("{line}stabilizer.{table}\n"));
+            let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().rows().collect();
+            for row in &rows {
+                assert_abs_diff_eq!(row.f_env + row.f_ctl, row.f_out, epsilon = 1e-12);
+            }
+            assert!(rows.iter().any(|row| row.f_ctl != 0.0), "{table}");
+        }
+    }
+
+    #[test]
+    fn a_directed_damper_adds_no_force_across_its_direction() {
+        let scene = scene(
+            "space.dimensions = 2\ninitial = { position = [0.0, -0.001], velocity = [0.2, 0.3] }\n\
+             environment.plane = { point = [0.0, 0.0], normal = [0.0, -1.0], stiffness = 2000 }\n\
+             stabilizer.directed-damping.direction = [0.0, 1.0]\n",
+        );
+        let ticks: Vec<_> = Rollout::<Vector2<f64>>::of(&scene).unwrap().collect();
+        assert!(ticks.iter().any(|tick| tick.correction.alpha > 0.0 && tick.control().x != 0.0));
+        for tick in &ticks {
+            let [.., across, _, _] = along(tick, 0);
+            let [_, _, _, wall, own, out, _] = along(tick, 1);
+            assert_eq!(across, 0.0);
+            assert_abs_diff_eq!(wall + own, out, epsilon = 1e-12);
+        }
+    }
 }

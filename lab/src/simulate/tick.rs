@@ -42,6 +42,12 @@ impl<V: Signal> Tick<V> {
         self.measured.velocity.scale(self.correction.alpha)
     }
 
+    /// What the stabilizer adds to the environment's effort, N: `α v` to the bit where that is all it adds.
+    pub(crate) fn added(&self) -> V {
+        let (damper, effort) = (self.control(), self.correction.effort);
+        if self.environment + damper == effort { damper } else { effort - self.environment }
+    }
+
     /// Whether the sample was accepted and every value of the tick is finite, in the first lane.
     pub(crate) fn in_range(&self) -> bool {
         Mask::all(self.correction.accepted) && self.finite().lane(0)
