@@ -73,6 +73,11 @@ def test_a_map_of_more_rows_than_a_table_has_is_refused(axes):
     assert ("lyapunov.ray.map(…, folder=…)" in str(told.value)) == ("--shard" in str(told.value)) == (len(axes) == 2)
 
 
+def test_an_ensemble_of_more_rows_than_a_table_has_is_refused():
+    with pytest.raises(ly.InputError, match="^members is 1000000000000; a table has at most 10000000 rows, one for each\n  = give fewer"):
+        ly.ensemble(TABLES, 10**12)
+
+
 @pytest.mark.parametrize("axes", [("device.mass=0.1..1:4",), ("device.mass=0.1..1:2", "device.damping=0.1..1:2")])
 def test_threads_are_no_more_than_there_is_work_for(axes):
     with pytest.raises(ly.InputError, match="100000 are more than 1024\n  = give fewer threads"):

@@ -11,6 +11,9 @@ use super::{Scene, Told};
 use crate::errors;
 use crate::whole;
 
+/// The most members of a call.
+const MOST: u64 = 10_000_000;
+
 /// The runs of `count` members of an ensemble, from number `first` on.
 #[pyfunction]
 #[pyo3(signature = (scene, first, count, seed, stabilizer=None, phase=None, mass=None, damping=None, stiffness=None,
@@ -43,6 +46,11 @@ pub(crate) fn ensemble(
         stiffness: stiffness.unwrap_or(usual.stiffness),
     };
     check(&moves)?;
+    if count > MOST {
+        return Err(errors::input(format!(
+            "members is {count}; a table has at most {MOST} rows, one for each\n  = give fewer, or several calls with a seed of their own"
+        )));
+    }
     let ensemble = Ensemble { seed, moves };
     wait(py, progress, count, move |watched| {
         let member = |number: u64| {
