@@ -3,12 +3,14 @@
 use lyapunov::stabilizers::Member;
 use lyapunov::{CheckedSample, Correction, Signal};
 use nalgebra::SVector;
-use numpy::{PyArray1, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyFloat;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+
+use crate::errors::{self, kind};
 
 use crate::blocks::{AnyCorrection, AnyMember, AnyReadings, AnySample, Candidate, Kinds, Readings};
 
@@ -57,20 +59,16 @@ pub(crate) trait Axes:
 fn wrong(value: &Bound<'_, PyAny>, name: &str, count: usize) -> PyErr {
     let wanted = match count {
         1 => "a number".to_owned(),
-        count => format!("a float64 array of shape ({count},), or a sequence of {count} numbers"),
+        count => format!(
+            "an array of real numbers of shape ({count},), or a sequence of {count} numbers"
+        ),
     };
-    let found = match value.cast::<PyUntypedArray>() {
-        Ok(array) => format!("an array of {} of shape {:?}", array.dtype(), array.shape()),
-        Err(_) => {
-            value.get_type().name().map_or_else(|_| "something else".into(), |it| it.to_string())
-        }
-    };
-    PyTypeError::new_err(format!("{name} is {found}; give {wanted}"))
+    PyTypeError::new_err(format!("{name} is {}; give {wanted}", kind(value)))
 }
 
 /// The error of an array that does not lie where a float64 may.
 pub(crate) fn misaligned(name: &str) -> PyErr {
-    PyValueError::new_err(format!(
+    errors::input(format!(
         "{name} is not aligned in memory, as an array over foreign bytes may be; give numpy.array({name}), a copy"
     ))
 }
@@ -83,9 +81,12 @@ impl Axes for f64 {
         if let Ok(number) = value.cast_exact::<PyFloat>() {
             return Ok(number.value());
         }
-        // An array of one number would be taken as well, and mean that axes are missing.
-        if value.cast::<PyUntypedArray>().is_ok_and(|array| array.ndim() > 0) {
-            return Err(wrong(value, name, 1));
+        if let Ok(array) = value.cast::<PyUntypedArray>() {
+            unmasked(array, name)?;
+            // An array of one number would be taken as well, and mean that axes are missing.
+            if array.ndim() > 0 {
+                return Err(wrong(value, name, 1));
+            }
         }
         value.extract().map_err(|_| wrong(value, name, 1))
     }
@@ -211,26 +212,52 @@ fn vector<const N: usize>(value: &Bound<'_, PyAny>, name: &str) -> PyResult<SVec
         if !array.is_aligned() {
             return Err(misaligned(name));
         }
+        unmasked(array.as_untyped(), name)?;
         // One by one: to borrow the array takes longer than the step.
         return Ok(SVector::from_fn(|axis, _| array.get_owned([axis]).unwrap_or(f64::NAN)));
     }
-    if value.cast::<PyUntypedArray>().is_ok() {
-        return Err(wrong(value, name, N));
+    if let Ok(array) = value.cast::<PyUntypedArray>() {
+        return converted(array, name);
     }
     let numbers: [f64; N] = value.extract().map_err(|_| wrong(value, name, N))?;
     Ok(numbers.into())
 }
 
+/// The vector that an array of other real numbers tells.
+fn converted<const N: usize>(
+    array: &Bound<'_, PyUntypedArray>,
+    name: &str,
+) -> PyResult<SVector<f64, N>> {
+    let is_real = matches!(array.dtype().kind(), b'i' | b'u' | b'f');
+    if !is_real || array.shape() != [N] {
+        return Err(wrong(array, name, N));
+    }
+    unmasked(array, name)?;
+    vector(&array.call_method1("astype", ("float64",))?, name)
+}
+
+/// Refuses an array that masks some of its numbers.
+pub(crate) fn unmasked(array: &Bound<'_, PyUntypedArray>, name: &str) -> PyResult<()> {
+    // Only what is derived from an array has a mask.
+    match array.is_exact_instance_of::<PyUntypedArray>() || !array.hasattr("mask")? {
+        true => Ok(()),
+        false => Err(errors::input(format!(
+            "{name} is a masked array\n  = give {name}.filled(numpy.nan): NaN is no reading"
+        ))),
+    }
+}
+
 /// The error of a value of `found` axes where `wanted` are right.
 fn differs(what: &str, found: usize, wanted: usize) -> PyErr {
-    PyValueError::new_err(format!(
-        "the {what} has {found} axes and the block {wanted}; make both with the same axes="
+    let axes = if found == 1 { "axis" } else { "axes" };
+    errors::input(format!(
+        "the {what} has {found} {axes} and the block {wanted}; make both with the same axes="
     ))
 }
 
 /// The error of a number of axes that no block has.
-pub(crate) fn no_block_of(axes: usize) -> PyErr {
-    PyValueError::new_err(format!(
+pub(crate) fn no_block_of(axes: impl std::fmt::Display) -> PyErr {
+    errors::input(format!(
         "axes is {axes}; blocks are compiled for {COUNTS:?}: fill up with axes that stay at 0, or take one block for each"
     ))
 }

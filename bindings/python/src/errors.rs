@@ -2,7 +2,8 @@
 
 use lyapunov::ParameterError;
 use lyapunov_lab::scene::Diagnostic;
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use numpy::{PyUntypedArray, PyUntypedArrayMethods};
+use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::{PyTypeInfo, create_exception};
 
@@ -20,11 +21,15 @@ create_exception!(
      `remedies`, a list; those that do not apply are None."
 );
 
+/// A remedy that only the command has, and how Python comes by it.
+const COMMAND: (&str, &str) =
+    ("`lyapunov compare` takes it", "only the command takes it: `python -m lyapunov compare FILE`");
+
 /// The exception of a fault in a scene, with its parts as attributes.
 pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
     // An exception is shown under its own name, which says that it is an error.
     let text = fault.to_string();
-    let text = text.strip_prefix("error: ").unwrap_or(&text).to_owned();
+    let text = text.strip_prefix("error: ").unwrap_or(&text).replace(COMMAND.0, COMMAND.1);
     let error = SceneError::new_err(text);
     let told = || -> PyResult<()> {
         let value = error.value(py);
@@ -34,7 +39,8 @@ pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
         value.setattr("value", fault.value())?;
         value.setattr("line", fault.line())?;
         value.setattr("column", fault.column())?;
-        value.setattr("remedies", fault.help())
+        let help = fault.help().iter().map(|it| it.replace(COMMAND.0, COMMAND.1));
+        value.setattr("remedies", help.collect::<Vec<_>>())
     };
     told().map_or_else(|failed| failed, |()| error)
 }
@@ -62,13 +68,42 @@ pub(crate) fn parameter(error: ParameterError) -> PyErr {
     InputError::new_err(ParameterError { parameter, ..error }.to_string())
 }
 
-/// Options of the command that are arguments here, by their own names.
-const OPTIONS: [(&str, &str); 2] = [("--columns", "columns"), ("--scale", "scale")];
+/// Options of the command that are arguments here, as they are written in Python.
+const OPTIONS: [(&str, &str); 6] = [
+    ("with --columns", "with columns=\"T,X,F\""),
+    ("give --columns the numbers of", "give columns=\"1,2,3\", the numbers of"),
+    ("--scale x=1e-3,f=-1", "scale=[\"x=1e-3\", \"f=-1\"]"),
+    ("--scale f=-1", "scale=\"f=-1\""),
+    ("--columns", "columns"),
+    ("--scale", "scale"),
+];
 
 /// The exception of wrong input in words.
 pub(crate) fn input(error: impl std::fmt::Display) -> PyErr {
     let told = |text: String, (option, argument)| text.replace(option, argument);
     InputError::new_err(OPTIONS.into_iter().fold(error.to_string(), told))
+}
+
+/// What a value is, for an error: an array with its type and shape, or its class.
+pub(crate) fn kind(value: &Bound<'_, PyAny>) -> String {
+    match value.cast::<PyUntypedArray>() {
+        Ok(array) => format!("an array of {} of shape {:?}", array.dtype(), array.shape()),
+        Err(_) => {
+            value.get_type().name().map_or_else(|_| "something else".into(), |it| it.to_string())
+        }
+    }
+}
+
+/// The object of a class of this package that the argument `name` is.
+#[inline]
+pub(crate) fn of_class<'a, 'py, T: PyTypeInfo>(
+    value: &'a Bound<'py, PyAny>,
+    name: &str,
+) -> PyResult<&'a Bound<'py, T>> {
+    value.cast::<T>().map_err(|_| {
+        let class = T::type_object(value.py()).to_string();
+        PyTypeError::new_err(format!("{name} is {}; give an object of {class}", kind(value)))
+    })
 }
 
 /// The exception of a fault of the package itself.

@@ -46,6 +46,8 @@ mod _lyapunov {
     #[pymodule_export]
     use crate::lab::tune::tune;
     #[pymodule_export]
+    use crate::lab::units::unit_of;
+    #[pymodule_export]
     use crate::lab::{MapMerge, Scene, Told, map_cells, map_shard, shard_head};
 
     #[pymodule_init]

@@ -1,22 +1,53 @@
 //! Whole numbers that a call gives, which name themselves where they do not fit.
 
-use pyo3::exceptions::PyOverflowError;
+use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
 
-use crate::errors;
+use crate::axes::no_block_of;
+use crate::errors::{self, kind};
 
-/// The whole number that `value`, the argument `name`, is.
+/// The whole number that `value`, the argument `name`, is; `least` is the smallest that may be.
+fn ranged<'py, T>(value: &Bound<'py, PyAny>, name: &str, least: u8) -> PyResult<T>
+where
+    T: Fits + From<u8> + PartialOrd + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    match value.extract::<T>() {
+        Ok(number) if number >= T::from(least) => Ok(number),
+        Err(error) if !error.is_instance_of::<PyOverflowError>(value.py()) => {
+            Err(PyTypeError::new_err(format!(
+                "{name} is {value}, of the type {}; give a whole number, an int",
+                kind(value)
+            )))
+        }
+        _ if value.gt(least)? => {
+            Err(errors::input(format!("{name} is {value}; it must be {} or less", T::most())))
+        }
+        _ => Err(errors::input(format!("{name} is {value}; it must be {least} or more"))),
+    }
+}
+
+/// The same of 0 or more.
 fn whole<'py, T>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<T>
 where
-    T: Fits + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+    T: Fits + From<u8> + PartialOrd + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
 {
+    ranged(value, name, 0)
+}
+
+/// The same of 1 or more.
+fn count<'py, T>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<T>
+where
+    T: Fits + From<u8> + PartialOrd + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
+{
+    ranged(value, name, 1)
+}
+
+/// A number of axes.
+pub(crate) fn axes(value: &Bound<'_, PyAny>) -> PyResult<usize> {
     value.extract().map_err(|error: PyErr| {
         match error.is_instance_of::<PyOverflowError>(value.py()) {
-            true => errors::input(format!(
-                "{name} is {value}; it must be a whole number from 0 to {}",
-                T::most()
-            )),
-            false => error,
+            true => no_block_of(value),
+            false => whole::<usize>(value, "axes").err().unwrap_or(error),
         }
     })
 }
@@ -45,19 +76,6 @@ impl Fits for usize {
     }
 }
 
-/// The same of 1 or more.
-fn count<'py, T>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<T>
-where
-    T: Fits + Default + PartialEq + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
-{
-    match whole::<T>(value, name)? {
-        none if none == T::default() => {
-            Err(errors::input(format!("{name} is 0; it must be 1 or more")))
-        }
-        count => Ok(count),
-    }
-}
-
 /// Readers of the arguments with these names, whole numbers or counts.
 macro_rules! arguments {
     ($read:ident of $($name:ident: $type:ty),+ $(,)?) => {$(
@@ -67,7 +85,7 @@ macro_rules! arguments {
     )+};
 }
 
-arguments!(whole of axes: usize, delay: u32, seed: u64, ticks: u64);
+arguments!(whole of delay: u32, seed: u64, ticks: u64);
 arguments!(count of loops: usize, members: u64);
 
 /// Readers of the arguments with these names, which may be left out.

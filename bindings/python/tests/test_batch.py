@@ -144,6 +144,21 @@ def test_the_second_half_begins_at_half_of_the_ticks(ticks):
     assert told["position"][0] == pytest.approx(PERIOD * ticks - 1.0, abs=1e-12)
 
 
+@pytest.mark.parametrize("stabilizer", [None, "none"])
+def test_the_port_is_observed_without_a_stabilizer(stabilizer):
+    given = {"mass": 0.2, "damping": 0.1, "stiffness": 20.0, "position": -0.01, "velocity": 0.3, "wall_stiffness": 8000.0}
+    block = None if stabilizer is None else ly.Stabilizer(stabilizer)
+    # A debt that rises at every contact: the wall that is sampled gives more than it takes.
+    ends = [ly.closed_loop(ticks, PERIOD, **given, stabilizer=block) for ticks in range(1, 302)]
+    places = np.array([-0.01, *(end["position"][0] for end in ends)])
+    forces = np.maximum(0.0, 8000.0 * places)
+    books = np.concatenate([[0.0], np.cumsum(forces[:-1] * np.diff(places))])
+    assert [end["observed_energy"][0] for end in ends] == pytest.approx(books[:-1], abs=1e-12)
+    assert books[-2] < -1e-3
+    watched = ly.closed_loop(301, PERIOD, **given, stabilizer=ly.Stabilizer("popc", limit=0.0))
+    assert {name: it[0] for name, it in watched.items()} == {name: it[0] for name, it in ends[-1].items()}
+
+
 def test_a_stiff_wall_runs_away_alone_and_not_with_popc():
     given = {"mass": 0.3, "damping": 0.201, "stiffness": 50.0, "position": np.full(16, -0.004), "wall_stiffness": 8000.0}
     alone = ly.closed_loop(1000, 0.01, **given)

@@ -239,10 +239,10 @@ def test_wrong_parameters_name_themselves(make, message):
 @pytest.mark.parametrize(
     "position, message",
     [
-        (np.zeros(2), r"position is an array of float64 of shape \[2\]; give a float64 array of shape \(3,\)"),
+        (np.zeros(2), r"position is an array of float64 of shape \[2\]; give an array of real numbers of shape \(3,\)"),
         (np.zeros((3, 1)), r"shape \[3, 1\]"),
-        (np.zeros(3, dtype=np.float32), "array of float32"),
-        (np.zeros(3, dtype=int), "array of int64"),
+        (np.zeros(3, dtype=complex), "array of complex128"),
+        (np.zeros(3, dtype=bool), "array of bool"),
         (0.5, "position is float"),
         ("abc", "position is str"),
         ([0.0, 0.0], "position is list"),
@@ -252,6 +252,35 @@ def test_wrong_shapes_and_types_say_what_is_right(position, message):
     readings = ly.Readings(PERIOD, axes=3)
     with pytest.raises(TypeError, match=message):
         readings.read(position, np.zeros(3))
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float16, np.int64, np.uint8])
+def test_real_numbers_of_other_types_are_converted(kind):
+    """On several axes as on one."""
+    given = np.array([3, 0, 7], dtype=kind)
+    assert ly.Readings(PERIOD, axes=3).read(given, given[::-1]).position.tolist() == [3.0, 0.0, 7.0]
+    assert ly.Readings(PERIOD).read(given[0], given[2]).applied == 7.0
+
+
+def test_masked_numbers_are_refused():
+    masked = np.ma.masked_equal([0.0, 1.0, 2.0], 1.0)
+    for axes, position in ((3, masked), (1, masked[1])):
+        with pytest.raises(ly.InputError, match=r"^position is a masked array\n  = give position.filled\(numpy.nan\)"):
+            ly.Readings(PERIOD, axes=axes).read(position, np.zeros(3) if axes == 3 else 0.0)
+    with pytest.raises(ly.InputError, match="^applied is a masked array"):
+        ly.Batch(ly.Stabilizer("none"), 3, PERIOD).stabilize(np.zeros(3), masked, np.zeros(3))
+
+
+def test_what_is_shown_of_a_block_makes_one_like_it():
+    blocks = [
+        ly.Readings(PERIOD, axes=3, no_faster_than=2.0, cutoff=50.0, clocked=True),
+        ly.Readings(PERIOD, measured=True),
+        ly.Stabilizer("tank", start=1.0, power=3.0),
+        ly.Stabilizer("popc", limit=LIMIT, axes=2),
+    ]
+    for block in blocks:
+        assert repr(eval(repr(block), {"Readings": ly.Readings, "Stabilizer": ly.Stabilizer, "inf": np.inf})) == repr(block)
+    assert repr(blocks[0]) == "Readings(period=0.001, axes=3, no_faster_than=2.0, cutoff=50.0, clocked=True)"
 
 
 def test_an_array_is_no_number():
@@ -280,7 +309,7 @@ def test_a_block_that_is_called_within_its_own_call_says_so():
             return 0.0
 
     stabilizer = ly.Stabilizer("lolc", limit=LIMIT, candidate=Nested())
-    with pytest.raises(RuntimeError, match="borrowed"):
+    with pytest.raises(RuntimeError, match="^this Stabilizer is in use by another call; make a Stabilizer for each loop$"):
         stabilizer.stabilize(ly.Readings(PERIOD).read(0.0, 0.0), 0.0)
 
 

@@ -82,6 +82,33 @@ def test_a_deep_copy_has_a_candidate_of_its_own(make):
     assert kept.calls == before + 1
 
 
+WALL = ly.Scene.shipped("paper-8k-popc")
+
+STUDIES = [
+    lambda: ly.run(WALL),
+    lambda: ly.compare(WALL, stabilizers="none,popc"),
+    lambda: ly.map(WALL, "environment.wall.stiffness=500..9000:3", stabilizers="popc"),
+    lambda: ly.bound(WALL),
+    lambda: ly.explain(WALL),
+    lambda: ly.tune(WALL, stabilizers="popc", trials=2, runs=2),
+    lambda: ly.ensemble(WALL, 3),
+]
+
+
+@pytest.mark.parametrize("again", [copy.deepcopy, through_pickle])
+@pytest.mark.parametrize("study", STUDIES)
+def test_results_travel(again, study):
+    told = study()
+    other = again(told)
+    assert type(other) is type(told) and str(other) == str(told) and list(other.table) == list(told.table)
+    for name, column in told.table.items():
+        assert np.array_equal(column, other.table[name], equal_nan=isinstance(column, np.ndarray) and column.dtype.kind == "f")
+    if not isinstance(told, ly.lab.Ensemble):
+        assert (other.json, other.svg) == (told.json, told.svg)
+    if isinstance(told, ly.lab.Tuning):
+        assert other.scenes == told.scenes
+
+
 def test_a_copied_batch_goes_on_as_it_was():
     of = np.random.default_rng(1)
     batch = ly.Batch(ly.Stabilizer("popc", limit=100.0, axes=3), 21, PERIOD)

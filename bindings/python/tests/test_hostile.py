@@ -76,7 +76,7 @@ def test_a_block_in_use_is_not_pickled():
     for look in (pickle.dumps, copy.copy, copy.deepcopy):
         candidate = Curious(look)
         candidate.stabilizer = ly.Stabilizer("lolc", limit=1.0, candidate=candidate)
-        with pytest.raises(RuntimeError, match="borrowed"):
+        with pytest.raises(RuntimeError, match="this Stabilizer is in use by another call"):
             candidate.stabilizer.stabilize(ly.Sample(PERIOD, 0.0, 0.0, 0.0, 0.0), 1.0)
 
 

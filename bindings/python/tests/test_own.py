@@ -45,6 +45,17 @@ def test_a_block_runs_in_a_scene_by_its_name_and_numbers():
     assert list(block.table["alpha"]) == list(named.table["alpha"])
 
 
+def test_a_run_leaves_the_block_as_it_is():
+    scene = ly.Scene.shipped("paper-50k-none")
+    block = ly.Stabilizer("popc", limit=ly.damping_limit(0.1 + 0.2, 0.01))
+    first, second = ly.run(scene, stabilizer=block), ly.run(scene, stabilizer=block)
+    assert first.json == second.json
+    # It is a fresh one for each run of a comparison too, whatever the function gives.
+    told = ly.compare(scene, scene, stabilizers="none", own={"mine": lambda: block})
+    rows = [{k: v for k, v in row.items() if k != "ns_per_step"} for row in told.document["rows"] if row["stabilizer"] == "mine"]
+    assert len(rows) == 2 and rows[0] == rows[1]
+
+
 class Bare:
     """A stabilizer that returns a force alone."""
 

@@ -8,21 +8,44 @@ import numpy as np
 import pytest
 
 TABLES = {"duration": 1.0, "servo_rate": 1000, "device": {"mass": 0.2}, "environment": {"wall": {"stiffness": 8000.0}}}
-WORDS = {"scene", "stabilizer", "verdict", "broke_it", "judged_by"}
+WORDS = {"scene", "stabilizer", "verdict", "judged_by"}
 
 
 def kinds(table):
-    return {name: "numbers" if isinstance(column, np.ndarray) else "words" for name, column in table.items()}
+    def kind(name, column):
+        if isinstance(column, np.ndarray):
+            return {"f": "numbers", "i": "counts", "b": "truths"}[column.dtype.kind]
+        return "words" if name in WORDS else "judgements" if set(column) <= {True, False, None} else "?"
+
+    return {name: kind(name, column) for name, column in table.items()}
+
+
+def of_scores(table):
+    rare = {"broke_it": "judgements", "state_bytes": "counts"}
+    return {name: "words" if name in WORDS else rare.get(name, "numbers") for name in table}
 
 
 def test_a_column_without_a_number_is_one_of_numbers():
     """Nothing settles and nothing is felt in a scene that grows."""
     scene = ly.Scene.shipped("paper-50k-none")
     one, two = ly.compare(scene, stabilizers="none").table, ly.compare(scene, stabilizers="none,popc").table
-    assert kinds(one) == kinds(two) == {name: "words" if name in WORDS else "numbers" for name in one}
+    assert kinds(one) == kinds(two) == of_scores(one)
     assert np.isnan(one["settling_time_s"]).all() and one["settling_time_s"].dtype == np.float64
     sweep = ly.map(scene, "environment.wall.stiffness=50000..60000:2", stabilizers="none").table
-    assert {name for name, kind in kinds(sweep).items() if kind == "words"} == WORDS - {"scene"}
+    assert kinds(sweep) == of_scores(sweep) and "broke_it" in sweep
+
+
+def test_truths_are_truths_in_every_form():
+    scene = ly.Scene.shipped("paper-50k-none")
+    told, alone = ly.compare(scene, stabilizers="none,popc"), ly.compare(scene, stabilizers="popc")
+    assert told.table["broke_it"] == [False, False] and alone.table["broke_it"] == [None]
+    assert told.table["state_bytes"].dtype == np.int64
+    assert str(told.to_pandas()["broke_it"].dtype) == str(alone.to_pandas()["broke_it"].dtype) == "boolean"
+    assert str(told.to_polars()["broke_it"].dtype) == str(alone.to_polars()["broke_it"].dtype) == "Boolean"
+    assert str(told.to_arrow()["broke_it"].type) == str(alone.to_arrow()["broke_it"].type) == "bool"
+    assert ly.run(scene).table["accepted"].dtype == bool
+    assert ly.ensemble(scene, 3).table["member"].tolist() == [0, 1, 2]
+    assert "<td>False</td>" in told._repr_html_() and "<td>-</td>" in alone._repr_html_()
 
 
 @pytest.mark.parametrize("name", ["#1", "50000", "nan", 'a,"b', "inf"])

@@ -62,7 +62,7 @@ def test_a_batch_in_use_says_so():
         except RuntimeError as error:
             said = str(error)
     thread.join()
-    assert said is not None and "borrowed" in said
+    assert said == "this Batch is in use by another call; make a Batch for each loop"
 
 
 def resident():

@@ -9,8 +9,16 @@ correction: ly.Correction = popc.stabilize(readings.read(np.zeros(3), np.zeros(3
 energy: float = correction.observed_energy
 run: ly.Result = ly.run({"duration": 1.0})
 batch: ly.Corrections = ly.Batch(popc, 8, 1e-3).stabilize(np.zeros((8, 3)), np.zeros((8, 3)), np.zeros((8, 3)))
+bare: ly.Result = ly.run({"duration": 1.0}, rows=False)
+log: ly.Result = ly.observe({"t": np.zeros(3), "x": np.zeros(3), "f": np.zeros(3)}, columns=["t", "x", "f"], scale=["f=-1"])
 
-ly.Stabilizer("popc")  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue]
-ly.Stabilizer("popcorn", limit=1.0)  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]
+
+def named(name: str) -> ly.Stabilizer:
+    """A stabilizer whose name is known when the program runs; what it lacks is said then."""
+    return ly.Stabilizer(name, limit=100.0)
+
+
+ly.Stabilizer("popc", 100.0)  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue]
+ly.Stabilizer(3, limit=1.0)  # type: ignore[call-overload]  # pyright: ignore[reportCallIssue, reportArgumentType]
 ly.Readings("1 ms")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 ly.Readings(1e-3, axes=4)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]

@@ -188,6 +188,9 @@ class Stabilizer:
     def __new__(cls, name: Literal["least-norm"], *, limit: float, decay: float, axes: _Axes = 1) -> Self: ...
     @overload
     def __new__(cls, name: Literal["slope-bound"], *, slope: float, axes: _Axes = 1) -> Self: ...
+    @overload
+    def __new__(cls, name: str, *, axes: _Axes = 1, **numbers: Any) -> Self:
+        """One whose name a program finds out as it runs; what is missing is said then."""
     @property
     def name(self) -> str: ...
     @property
@@ -271,7 +274,8 @@ def closed_loop(
 ) -> dict[str, _Vector]:
     """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name.
 
-    `largest` is the largest |position| from half of the ticks on to the end, both counted.
+    `observed_energy`, J, is that of the wall's port before the last tick's correction, without a stabilizer too. `largest` is the
+    largest |position| from half of the ticks on to the end, both counted.
     """
 
 @final
@@ -307,12 +311,16 @@ class Told:
     def figures(self) -> list[str]: ...
     @property
     def scenes(self) -> list[tuple[str, str]]: ...
-    def columns(self) -> dict[str, _Vector | list[str]]: ...
+    def columns(self) -> dict[str, _Column]:
+        """The table: arrays of shape (rows,) of float64, int64 or bool; lists of words, or of True, False and None."""
+    def further(self) -> dict[str, _Column]:
+        """A second table of the same form, as that of stabilizers on a recorded log; empty where there is none."""
 
+_Column = npt.NDArray[Any] | list[Any]
 _Progress = Callable[[int, int], object] | None
 
 def command(words: Sequence[str]) -> int: ...
-def run(scene: Scene, stabilizer: object = None, progress: _Progress = None) -> Told: ...
+def run(scene: Scene, stabilizer: object = None, rows: bool = True, progress: _Progress = None) -> Told: ...
 def compare(
     scenes: Sequence[Scene],
     stabilizers: str | None = None,
@@ -338,6 +346,7 @@ class MapMerge:
     def add(self, table: str | os.PathLike[str]) -> None: ...
     def end(self) -> Told: ...
 
+def unit_of(axis: str) -> str: ...
 def shard_head(scene: Scene, x: str, y: str, stabilizers: str, shard: str) -> str: ...
 def map_cells(scene: Scene, x: str, y: str, stabilizers: str) -> int: ...
 def ensemble(
@@ -365,7 +374,7 @@ def tune(
     progress: _Progress = None,
 ) -> Told: ...
 def observe(
-    log: str | os.PathLike[str],
+    log: str | os.PathLike[str] | bytes,
     columns: str | None = None,
     scale: Sequence[str] = ...,
     candidate: str = "spring",

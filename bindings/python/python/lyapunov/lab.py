@@ -6,8 +6,9 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol, Union
 
-from lyapunov import _lyapunov
+from lyapunov import _lyapunov, logs
 from lyapunov._lyapunov import Scene
+from lyapunov.logs import Log
 from lyapunov.progress import shown
 from lyapunov.results import (
     Accuracy,
@@ -50,15 +51,20 @@ def _names(stabilizers: str | Iterable[str] | None) -> str | None:
 
 
 def run(
-    scene: SceneLike, *, stabilizer: str | StabilizerLike | None = None, progress: Progress = None
+    scene: SceneLike,
+    *,
+    stabilizer: str | StabilizerLike | None = None,
+    rows: bool = True,
+    progress: Progress = None,
 ) -> Run:
     """What this loop does: a summary with its verdict, and the rows of docs/contract.md, one for each tick.
 
-    `stabilizer` takes the place of the scene's own: a name of docs/family.md, or an object with a method
-    `stabilize(sample, effort)`.
+    `stabilizer` takes the place of the scene's own: a name of docs/family.md, an object with a method
+    `stabilize(sample, effort)`, or a `Stabilizer`, of which a fresh copy runs. A table has at most 10,000,000 rows, of about 0.1 kB
+    each; with `rows=False` there are none, and a run may be as long as it takes.
     """
     with shown(progress, "run") as bar:
-        return Run(_lyapunov.run(_scene(scene), stabilizer, bar))
+        return Run(_lyapunov.run(_scene(scene), stabilizer, rows, bar))
 
 
 def compare(
@@ -89,7 +95,9 @@ def map(  # noqa: A001
 ) -> Map:
     """Where the loop settles, swings or grows over one or two numbers of its scene.
 
-    An axis is `"KEY=FROM..TO:N"` or `"KEY=FROM..TO:N:log"`, as in `"environment.wall.stiffness=100..50000:64"`.
+    An axis is `"KEY=FROM..TO:N"` or `"KEY=FROM..TO:N:log"`, as in `"environment.wall.stiffness=100..50000:64"`. The table has a row for
+    each cell and stabilizer, at most 10,000,000; `lyapunov.ray.map` and `lyapunov map --shard` write more into files. `threads` are at
+    most 1024, one for each core by default.
     """
     with shown(progress, "map") as bar:
         names = _names(stabilizers) or ""
@@ -138,9 +146,9 @@ def accuracy(scene: SceneLike, *, target: float | None = None, progress: Progres
 
 
 def observe(
-    log: str | os.PathLike[str],
+    log: Log,
     *,
-    columns: str | None = None,
+    columns: str | Iterable[str] | None = None,
     scale: str | Iterable[str] = (),
     candidate: str = "spring",
     damping: float | None = None,
@@ -152,15 +160,16 @@ def observe(
 ) -> Observation:
     """When a recorded device generated energy, how much and in which contact.
 
-    `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]"; `scale` gives factors to SI,
-    as in "x=1e-3", or several in a list. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
+    `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]" or a list; or a table in memory: a
+    dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI, as in
+    "x=1e-3", or several in a list. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
     too. `contact`, N, is the force above which there is contact. With `stabilizers` and the `scene` that sets their numbers, what
     they would have done on the recorded motion.
     """
     with shown(progress, "observe") as bar:
         told = _lyapunov.observe(
-            log,
-            columns,
+            logs.read(log),
+            _names(columns),
             [scale] if isinstance(scale, str) else list(scale),
             candidate,
             damping,

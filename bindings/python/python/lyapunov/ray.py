@@ -53,6 +53,7 @@ def map(  # noqa: A001
     """The map of `lyapunov.map` on all workers, as map.csv and map.json in `folder`, which is made if it is not there.
 
     The tables of shards that are complete stay in the folder until the map is: a call with the same arguments goes on from them.
+    The table of a map of more than 10,000,000 rows is in map.csv alone, and that of the result is empty.
     Only this process writes into it. A worker holds the table of its shard in memory. `shards` is their number, by default such that
     each takes some seconds.
     """

@@ -9,11 +9,13 @@ from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Union
 
+import numpy as np
+
+from lyapunov import _lyapunov, plots
 from lyapunov._lyapunov import InputError, Scene
 
 if TYPE_CHECKING:
     import matplotlib.axes
-    import numpy as np
     import numpy.typing as npt
     import pandas
     import polars
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 
     from lyapunov._lyapunov import Told
 
-    Column = Union[npt.NDArray[np.float64], list[str]]
+    Column = Union[npt.NDArray[Any], list[Any]]
 
 ROWS_SHOWN = 12
 """Rows of a table that a notebook shows."""
@@ -32,28 +34,33 @@ class Table:
 
     def __init__(self, table: dict[str, Column]) -> None:
         self.table = table
-        """The table by columns: numbers as float64 arrays of shape (rows,) with NaN where there is none, words as lists."""
+        """The table by columns: numbers as float64 arrays of shape (rows,) with NaN where there is none, counts as int64 arrays, truths
+        as bool arrays, words as lists, and truths that may be unknown as lists of True, False and None."""
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a DataFrame of pandas."""
         with _asked_for():
             import pandas
 
-        return pandas.DataFrame(self.table)
+        # A truth that is not known is one of pandas' own.
+        known = {name: pandas.array(it, dtype="boolean") if _may_be_unknown(it) else it for name, it in self.table.items()}
+        return pandas.DataFrame(known)
 
     def to_polars(self) -> polars.DataFrame:
         """The table as a DataFrame of Polars."""
         with _asked_for():
             import polars
 
-        return polars.DataFrame(self.table)
+        of = {name: polars.Boolean for name, it in self.table.items() if _may_be_unknown(it)}
+        return polars.DataFrame(self.table, schema_overrides=of)
 
     def to_arrow(self) -> pyarrow.Table:
         """The table as one of Arrow."""
         with _asked_for():
             import pyarrow
 
-        return pyarrow.table(self.table)
+        of = {name: pyarrow.array(it, pyarrow.bool_()) if _may_be_unknown(it) else it for name, it in self.table.items()}
+        return pyarrow.table(of)
 
     def _rows_in_html(self) -> str:
         columns = list(self.table.items())
@@ -92,14 +99,7 @@ class Result(Table):
 
     def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
         """Draws the result on axes of matplotlib, new ones by default."""
-        ax = _axes(ax)
-        names = [name for name, column in self.table.items() if not isinstance(column, list)]
-        if len(names) > 1:
-            for name in names[1:]:
-                ax.plot(self.table[names[0]], self.table[name], label=name)
-            ax.set_xlabel(names[0])
-            ax.legend()
-        return ax
+        raise NotImplementedError
 
     def __str__(self) -> str:
         return self._told.text
@@ -122,19 +122,28 @@ def _asked_for() -> Iterator[None]:
         raise ModuleNotFoundError(remedy, name=missing.name) from None
 
 
+def _may_be_unknown(column: Column) -> bool:
+    """Whether a column holds truths of which some may be unknown."""
+    return isinstance(column, list) and len(column) > 0 and not any(isinstance(it, str) for it in column)
+
+
 def _cell(value: Any) -> str:
     if isinstance(value, str):
         return f"<td>{html.escape(value)}</td>"
+    if value is None or isinstance(value, (bool, int, np.bool_, np.integer)):
+        return f"<td>{'-' if value is None else value}</td>"
     return f"<td>{'-' if value != value else format(value, '.6g')}</td>"
 
 
-def _axes(ax: matplotlib.axes.Axes | None) -> matplotlib.axes.Axes:
+def _axes(ax: matplotlib.axes.Axes | None, rows: int = 0) -> matplotlib.axes.Axes:
+    """The axes, or new ones, high enough for so many rows."""
     if ax is not None:
         return ax
     with _asked_for():
         import matplotlib.pyplot
 
-    return matplotlib.pyplot.figure(layout="constrained").subplots()
+    size = (6.4, max(4.8, 1.2 + 0.28 * rows))
+    return matplotlib.pyplot.figure(figsize=size, layout="constrained").subplots()
 
 
 class Run(Result):
@@ -152,10 +161,11 @@ class Run(Result):
         return told
 
     def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
-        """Draws the position over time, mm over s."""
+        """Draws the position along each axis over time, mm over s."""
+        if not self.table:
+            raise InputError("this run has no rows to draw\n  = run it without rows=False; the figures in `svg` are there all the same")
         ax = _axes(ax)
-        ax.plot(self.table["t"], 1e3 * self.table["x"])  # type: ignore[operator]
-        ax.set(xlabel="time, s", ylabel="position, mm")
+        plots.run(ax, self.table)
         return ax
 
 
@@ -167,13 +177,8 @@ class Comparison(Result):
         of_numbers = [name for name, it in self.table.items() if not isinstance(it, list)]
         if column not in of_numbers:
             raise InputError(f"no column of numbers is called `{column}`\n  = they are: {', '.join(of_numbers)}")
-        ax = _axes(ax)
-        scenes, names = self.table["scene"], self.table["stabilizer"]
-        if len(set(scenes)) > 1:
-            names = [f"{scene}: {name}" for scene, name in zip(scenes, names)]
-        ax.barh(range(len(names)), self.table[column], tick_label=list(names))
-        ax.invert_yaxis()
-        ax.set_xlabel(column)
+        ax = _axes(ax, len(self.table[column]))
+        plots.bars(ax, self.table, column)
         return ax
 
 
@@ -181,29 +186,38 @@ class Map(Result):
     """A map or a sweep. The table has a row for each cell and stabilizer."""
 
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, stabilizer: str | None = None) -> matplotlib.axes.Axes:
-        """Draws the verdicts under a stabilizer, the first by default: over two numbers as a field, over one as points."""
-        names = self.table["stabilizer"]
-        stabilizer = names[0] if stabilizer is None else stabilizer
-        if stabilizer not in names:
-            raise InputError(f"`{stabilizer}` is not in this map\n  = the names are: {', '.join(dict.fromkeys(names))}")
+        """Draws the verdicts: over two numbers a field under a stabilizer, the first by default, over one a row for each of them."""
+        if not self.table:
+            raise InputError("this map has more rows than its table may have\n  = draw from map.csv; the figures in `svg` are there all the same")
+        known = list(dict.fromkeys(str(name) for name in self.table["stabilizer"]))
+        if stabilizer is not None and stabilizer not in known:
+            raise InputError(f"`{stabilizer}` is not in this map\n  = the names are: {', '.join(known)}")
         ax = _axes(ax)
-        chosen = [at for at, name in enumerate(names) if name == stabilizer]
-        verdicts = [self.table["verdict"][at] for at in chosen]
-        keys = list(self.table)[: list(self.table).index("stabilizer")]
-        x, y = keys[0], keys[1] if len(keys) > 1 else None
-        for verdict in dict.fromkeys(verdicts):
-            at = [one for one, it in zip(chosen, verdicts) if it == verdict]
-            across = self.table[x][at]  # type: ignore[call-overload]
-            up = [verdict] * len(at) if y is None else self.table[y][at]  # type: ignore[call-overload]
-            ax.scatter(across, up, marker="s", s=9, label=verdict)
-        # The table of a sweep calls what it sweeps `value`.
-        ax.set(xlabel=self.document["x"]["key"], ylabel="verdict" if y is None else y, title=stabilizer)
-        ax.legend()
+        x, y = self.document["x"], self.document.get("y")
+        if y is None:
+            plots.sweep(ax, self.table, x, known if stabilizer is None else [stabilizer])
+        else:
+            plots.field(ax, self.table, [x, y], known[0] if stabilizer is None else stabilizer)
+            ax.set_ylabel(_label(y))
+        ax.set_xlabel(_label(x))
         return ax
+
+
+def _label(axis: dict[str, Any]) -> str:
+    unit = _lyapunov.unit_of(f"{axis['key']}={axis['from']!r}..{axis['to']!r}:{axis['count']}")
+    return f"{axis['key']}, {unit}" if unit else str(axis["key"])
 
 
 class Bound(Result):
     """Limits of the stiffness. The table is the spectral radius over the stiffness."""
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """Draws the spectral radius over the stiffness, with the line at 1 and the scene's stiffness."""
+        if not self.table:
+            raise InputError("these limits have no curve to draw\n  = print them: they say why")
+        ax = _axes(ax)
+        plots.radius(ax, self.table, self.document)
+        return ax
 
 
 class Explanation(Result):
@@ -215,22 +229,35 @@ class Explanation(Result):
         return str(self.document["verdict"])
 
     def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
-        """Draws the energies by cause as bars."""
+        """Draws the energies by cause as bars, a colour for each stretch of the run."""
         ax = _axes(ax)
-        words = next(column for column in reversed(self.table.values()) if isinstance(column, list))
-        name, numbers = next((name, it) for name, it in reversed(self.table.items()) if not isinstance(it, list))
-        ax.barh(range(len(words)), numbers, tick_label=words)
-        ax.invert_yaxis()
-        ax.set_xlabel(name)
+        plots.energies(ax, self.table)
         return ax
 
 
 class Accuracy(Result):
     """Accuracy against time. The table has a row for each integrator, step and scalar."""
 
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """Draws the largest error over the time of a simulated second, both by decades; an error of 0 has no place there."""
+        ax = _axes(ax)
+        plots.accuracy(ax, self.table)
+        return ax
+
 
 class Observation(Result):
-    """An observed log. The table has a row for each contact."""
+    """An observed log. The table has a row for each contact, the worst first."""
+
+    @property
+    def replay(self) -> Table:
+        """What stabilizers would have done, a row for each, in SI units; empty where nobody was asked."""
+        return Table(self._told.further())
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """Draws the energy that each contact of the table generated over time, J over s."""
+        ax = _axes(ax)
+        plots.contacts(ax, self.table)
+        return ax
 
 
 class Tuning(Result):
@@ -240,6 +267,12 @@ class Tuning(Result):
     def scenes(self) -> dict[str, Scene]:
         """The scene with each stabilizer, tuned, ready to run."""
         return {name: Scene.parse(text, name=name) for name, text in self._told.scenes}
+
+    def plot(self, ax: matplotlib.axes.Axes | None = None) -> matplotlib.axes.Axes:
+        """Draws the mean cost of each stabilizer as the scene sets it and tuned, on runs that tuning never saw."""
+        ax = _axes(ax)
+        plots.costs(ax, self.document)
+        return ax
 
 
 class Ensemble(Table):

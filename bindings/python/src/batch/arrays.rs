@@ -3,10 +3,11 @@
 use numpy::{
     PyArray, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
-use crate::axes::misaligned;
+use crate::axes::{misaligned, unmasked};
+use crate::errors;
 
 /// An array of float64 in the order of C, with its name in messages.
 pub(super) struct Given<'py> {
@@ -26,8 +27,9 @@ impl<'py> Given<'py> {
                 Err(_) => wrong(value.get_type().name()?.to_string()),
             });
         };
+        unmasked(array.as_untyped(), name)?;
         if !array.is_c_contiguous() {
-            return Err(PyValueError::new_err(format!(
+            return Err(errors::input(format!(
                 "{name} is not contiguous, and is not copied here; give numpy.ascontiguousarray({name})"
             )));
         }
@@ -35,7 +37,7 @@ impl<'py> Given<'py> {
             return Err(misaligned(name));
         }
         let array = array.try_readonly().map_err(|_| {
-            PyValueError::new_err(format!("{name} is an array that another call writes to now"))
+            errors::input(format!("{name} is an array that another call writes to now"))
         })?;
         Ok(Self { array, name })
     }
@@ -47,14 +49,14 @@ impl<'py> Given<'py> {
 
     /// The numbers.
     pub(super) fn numbers(&self) -> PyResult<&[f64]> {
-        self.array.as_slice().map_err(|error| PyValueError::new_err(error.to_string()))
+        self.array.as_slice().map_err(errors::input)
     }
 
     /// Error if the shape is another one.
     pub(super) fn is_like(&self, other: &Self) -> PyResult<()> {
         match self.shape() == other.shape() {
             true => Ok(()),
-            false => Err(PyValueError::new_err(format!(
+            false => Err(errors::input(format!(
                 "{} has the shape {:?} and {} has {:?}; give both the same shape",
                 self.name,
                 self.shape(),
@@ -66,11 +68,7 @@ impl<'py> Given<'py> {
 
     /// The error of a shape that is not `wanted`.
     pub(super) fn not(&self, wanted: &str) -> PyErr {
-        PyValueError::new_err(format!(
-            "{} has the shape {:?}; give {wanted}",
-            self.name,
-            self.shape()
-        ))
+        errors::input(format!("{} has the shape {:?}; give {wanted}", self.name, self.shape()))
     }
 }
 

@@ -12,8 +12,8 @@ use super::arrays::Given;
 use super::corrections::{Corrections, Written};
 use super::lanes::{LANES, Lanes, write_mask};
 use crate::axes::no_block_of;
-use crate::blocks::{Recipe, Stabilizer};
-use crate::errors;
+use crate::blocks::{Recipe, Stabilizer, seen, taken};
+use crate::errors::{self, of_class};
 use crate::lab::pool;
 use crate::whole;
 
@@ -79,11 +79,12 @@ impl Batch {
     #[new]
     #[pyo3(signature = (stabilizer, loops, period, *, no_faster_than=None))]
     fn new(
-        stabilizer: &Stabilizer,
+        stabilizer: &Bound<'_, PyAny>,
         #[pyo3(from_py_with = whole::loops)] loops: usize,
         period: f64,
         no_faster_than: Option<f64>,
     ) -> PyResult<Self> {
+        let stabilizer = seen(of_class::<Stabilizer>(stabilizer, "stabilizer")?)?;
         let recipe = &stabilizer.recipe;
         if recipe.object.is_some() {
             return Err(errors::input(
@@ -108,8 +109,8 @@ impl Batch {
 
     /// The number of loops.
     #[getter]
-    fn loops(&self) -> usize {
-        self.loops
+    fn loops(slf: &Bound<'_, Self>) -> PyResult<usize> {
+        Ok(seen(slf)?.loops)
     }
 
     /// The corrections of all loops.
@@ -118,8 +119,7 @@ impl Batch {
     /// (loops,) on one axis and (loops, axes) on several; with a first axis of time before these, ticks one after the other.
     /// They are contiguous and not copied, and the interpreter's lock is not held. A position of NaN is a tick without a reading.
     fn stabilize<'py>(
-        &mut self,
-        py: Python<'py>,
+        slf: &Bound<'py, Self>,
         position: &Bound<'py, PyAny>,
         applied: &Bound<'py, PyAny>,
         effort: &Bound<'py, PyAny>,
@@ -129,8 +129,9 @@ impl Batch {
             Given::of(applied, "applied")?,
             Given::of(effort, "effort")?,
         ];
-        let loops = self.loops;
-        match &mut self.groups {
+        let (py, this) = (slf.py(), &mut *taken(slf)?);
+        let loops = this.loops;
+        match &mut this.groups {
             AnyGroups::One(groups) => stabilized(py, groups, loops, &given),
             AnyGroups::Two(groups) => stabilized(py, groups, loops, &given),
             AnyGroups::Three(groups) => stabilized(py, groups, loops, &given),
@@ -140,16 +141,16 @@ impl Batch {
     }
 
     /// A copy with the same memory.
-    fn __copy__(&self) -> Self {
-        self.clone()
+    fn __copy__(slf: &Bound<'_, Self>) -> PyResult<Self> {
+        Ok(seen(slf)?.clone())
     }
 
-    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
-        self.clone()
+    fn __deepcopy__(slf: &Bound<'_, Self>, _memo: &Bound<'_, PyAny>) -> PyResult<Self> {
+        Self::__copy__(slf)
     }
 
-    fn __repr__(&self) -> String {
-        format!("Batch(loops={})", self.loops)
+    fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        Ok(format!("Batch(loops={})", seen(slf)?.loops))
     }
 }
 

@@ -6,7 +6,8 @@ use pyo3::prelude::*;
 use super::arrays::Given;
 use super::corrections::{Corrections, Written};
 use crate::axes::Axes;
-use crate::blocks::{Readings, Stabilizer};
+use crate::blocks::{Readings, Stabilizer, taken};
+use crate::errors::of_class;
 use nalgebra::SVector;
 
 /// What readings and a stabilizer make of recorded ticks, as if they had been called for one after the other.
@@ -16,13 +17,14 @@ use nalgebra::SVector;
 #[pyfunction]
 pub(crate) fn replay<'py>(
     py: Python<'py>,
-    readings: &Bound<'py, Readings>,
-    stabilizer: &Bound<'py, Stabilizer>,
+    readings: &Bound<'py, PyAny>,
+    stabilizer: &Bound<'py, PyAny>,
     position: &Bound<'py, PyAny>,
     applied: &Bound<'py, PyAny>,
     effort: &Bound<'py, PyAny>,
 ) -> PyResult<Corrections> {
-    let (mut readings, mut stabilizer) = (readings.try_borrow_mut()?, stabilizer.try_borrow_mut()?);
+    let mut readings = taken(of_class::<Readings>(readings, "readings")?)?;
+    let mut stabilizer = taken(of_class::<Stabilizer>(stabilizer, "stabilizer")?)?;
     let given = [
         Given::of(position, "position")?,
         Given::of(applied, "applied")?,

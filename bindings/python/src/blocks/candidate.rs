@@ -3,11 +3,14 @@
 use lyapunov::{
     CheckedSample, Dissipation, LyapunovCandidate, ParameterError, PortEnergy, PortSample, Snapshot,
 };
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::PyType;
 
 use super::sample::accepted;
 use super::{Raised, Sample};
 use crate::axes::Axes;
+use crate::errors::kind;
 
 /// Candidate of an observer.
 #[derive(Debug)]
@@ -28,15 +31,47 @@ impl<V: Axes> LyapunovCandidate<V> for Candidate {
     }
 }
 
+impl Candidate {
+    /// An object written in Python, with the method that a candidate has.
+    pub(crate) fn checked(object: Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        if let Ok(class) = object.cast::<PyType>() {
+            let name = class.name()?;
+            return Err(PyTypeError::new_err(format!(
+                "candidate is the class {name}; give an object of it"
+            )));
+        }
+        if object.hasattr("decrease")? {
+            return Ok(object.unbind());
+        }
+        Err(PyTypeError::new_err(format!(
+            "candidate is {}; give an object with a method decrease(sample), which returns joules",
+            kind(&object)
+        )))
+    }
+}
+
 /// What the object says; NaN, which a stabilizer rejects, if it raises.
 fn decrease<V: Axes>(object: &Py<PyAny>, raised: &Raised, sample: CheckedSample<V>) -> f64 {
     Python::attach(|py| {
         let told = object.call_method1(py, "decrease", (Sample(V::sample(sample)),));
-        told.and_then(|told| told.extract(py)).unwrap_or_else(|error| {
+        let number = told.and_then(|told| {
+            let told = told.bind(py);
+            told.extract::<f64>().map_err(|_| no_number(object.bind(py), told))
+        });
+        number.unwrap_or_else(|error| {
             raised.keep(error);
             f64::NAN
         })
     })
+}
+
+/// The error of what `object` returned, which is no number.
+fn no_number(object: &Bound<'_, PyAny>, told: &Bound<'_, PyAny>) -> PyErr {
+    PyTypeError::new_err(format!(
+        "decrease(sample) of {} returned {}; return a number, in J, such as numpy.sum(sample.work)",
+        kind(object),
+        kind(told)
+    ))
 }
 
 /// The memory of a candidate in Python is its own.

@@ -6,6 +6,8 @@ use pyo3::pyclass::boolean_struct::False;
 use pyo3::pyclass_init::PyClassInitializer;
 use pyo3::types::PyDict;
 
+use super::{seen, taken};
+
 /// A block that may ask a candidate written in Python.
 pub(super) trait Asking: PyClass<Frozen = False> + Into<PyClassInitializer<Self>> {
     /// A copy with the same memory, which asks the same candidate.
@@ -24,13 +26,13 @@ pub(super) fn deep_copy<'py, B: Asking>(
     memo: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, B>> {
     let py = block.py();
-    let copy = Bound::new(py, block.try_borrow()?.copied(py)?)?;
+    let copy = Bound::new(py, seen(block)?.copied(py)?)?;
     // A candidate that holds the block then holds its copy.
     memo.set_item(block.as_ptr() as usize, &copy)?;
-    let shared = block.try_borrow()?.asked().map(|it| it.clone_ref(py));
+    let shared = seen(block)?.asked().map(|it| it.clone_ref(py));
     if let Some(shared) = shared {
         let own = py.import("copy")?.call_method1("deepcopy", (shared, memo))?;
-        copy.try_borrow_mut()?.ask(own.unbind())?;
+        taken(&copy)?.ask(own.unbind())?;
     }
     Ok(copy)
 }

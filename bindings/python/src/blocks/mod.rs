@@ -3,6 +3,7 @@
 mod candidate;
 mod correction;
 mod deep_copy;
+mod in_use;
 mod limit;
 mod observer;
 mod python_stabilizer;
@@ -13,6 +14,7 @@ mod stabilizer;
 
 pub(crate) use candidate::Candidate;
 pub(crate) use correction::{AnyCorrection, Correction};
+pub(crate) use in_use::{seen, taken};
 pub(crate) use limit::damping_limit;
 pub(crate) use observer::Observer;
 pub(crate) use python_stabilizer::PythonStabilizer;

@@ -5,9 +5,9 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use super::deep_copy::{Asking, deep_copy};
-use super::{AnySample, Candidate, Raised, Recipe, Sample};
+use super::{AnySample, Candidate, Raised, Recipe, Sample, seen, taken};
 use crate::axes::{Axes, whatever_axes};
-use crate::errors;
+use crate::errors::{self, of_class};
 use crate::stored;
 
 type Inner = Observing<Candidate, lyapunov::Held, lyapunov::accumulators::Plain<f64>>;
@@ -32,27 +32,34 @@ pub(crate) struct Observer {
 impl Observer {
     #[new]
     #[pyo3(signature = (*, damping=None, candidate=None))]
-    fn new(py: Python<'_>, damping: Option<f64>, candidate: Option<Py<PyAny>>) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        damping: Option<f64>,
+        candidate: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let candidate = candidate.map(Candidate::checked).transpose()?;
         Self::of(py, damping, candidate)
     }
 
     /// Books the candidate's decrease over the sample; returns the observed energy, J.
-    fn observe(&mut self, sample: &Sample) -> PyResult<f64> {
-        self.energy =
-            whatever_axes!(&sample.0, AnySample, it => observed(&mut self.observer, &it.sample));
-        self.raised.check()?;
-        Ok(self.energy)
+    fn observe(slf: &Bound<'_, Self>, sample: &Bound<'_, PyAny>) -> PyResult<f64> {
+        let sample: &Sample = of_class(sample, "sample")?.get();
+        let this = &mut *taken(slf)?;
+        this.energy =
+            whatever_axes!(&sample.0, AnySample, it => observed(&mut this.observer, &it.sample));
+        this.raised.check()?;
+        Ok(this.energy)
     }
 
     /// The observed energy, J.
     #[getter]
-    fn observed_energy(&self) -> f64 {
-        self.energy
+    fn observed_energy(slf: &Bound<'_, Self>) -> PyResult<f64> {
+        Ok(seen(slf)?.energy)
     }
 
     /// A copy with the same memory.
-    fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
-        self.copied(py)
+    fn __copy__(slf: &Bound<'_, Self>) -> PyResult<Self> {
+        seen(slf)?.copied(slf.py())
     }
 
     fn __deepcopy__<'py>(
@@ -63,7 +70,7 @@ impl Observer {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let (py, this) = (slf.py(), slf.try_borrow()?);
+        let (py, this) = (slf.py(), seen(slf)?);
         let memory = PyBytes::new(py, &this.memory()?);
         let object = this.object.as_ref().map(|object| object.clone_ref(py));
         let parts = (this.damping, object, this.energy, memory);
@@ -81,8 +88,8 @@ impl Observer {
         Self::of(py, damping, candidate)?.remembering(energy, memory)
     }
 
-    fn __repr__(&self) -> String {
-        format!("Observer(observed_energy={:?})", self.energy)
+    fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        Ok(format!("Observer(observed_energy={:?})", seen(slf)?.energy))
     }
 }
 

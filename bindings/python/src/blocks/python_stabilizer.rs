@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyType;
 
 use super::sample::accepted;
-use super::{Correction, Raised, Sample};
+use super::{Correction, Raised, Sample, Stabilizer as Block, seen};
 use crate::axes::Axes;
 
 /// An object with a method `stabilize(sample, effort)` that returns a `Correction`.
@@ -17,9 +17,18 @@ pub(crate) struct PythonStabilizer {
 }
 
 impl PythonStabilizer {
-    /// The stabilizer of `object`; what it raises is kept in `raised`.
-    pub(crate) fn new(object: Py<PyAny>, raised: Raised) -> Self {
-        Self { object, raised }
+    /// The stabilizer of `object`, of a block a fresh one; what it raises is kept in `raised`.
+    pub(crate) fn of(object: &Bound<'_, PyAny>, raised: Raised) -> PyResult<Self> {
+        let object = match object.cast::<Block>() {
+            Ok(block) => Bound::new(object.py(), seen(block)?.fresh(object.py())?)?.into_any(),
+            Err(_) => object.clone(),
+        };
+        Ok(Self { object: object.unbind(), raised })
+    }
+
+    /// One that is asked for nothing, as `raised` holds an error.
+    pub(crate) fn none(py: Python<'_>, raised: Raised) -> Self {
+        Self { object: py.None(), raised }
     }
 
     /// Checks that `object`, called `name` there, has the method.

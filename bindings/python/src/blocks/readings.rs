@@ -5,7 +5,7 @@ use lyapunov::{CheckedSample, MovingReading, PortSample, Reading, Readings as Me
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use super::Sample;
+use super::{Sample, seen, taken};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
 use crate::stored;
@@ -116,18 +116,21 @@ impl Readings {
     /// tick without a reading.
     #[pyo3(signature = (position, applied, *, velocity=None, now=None))]
     fn read(
-        &mut self,
+        slf: &Bound<'_, Self>,
         position: &Bound<'_, PyAny>,
         applied: &Bound<'_, PyAny>,
         velocity: Option<&Bound<'_, PyAny>>,
         now: Option<f64>,
     ) -> PyResult<Sample> {
-        whatever_axes!(&mut self.readings, AnyReadings, it => sample(it, position, applied, velocity, now))
+        let this = &mut *taken(slf)?;
+        whatever_axes!(&mut this.readings, AnyReadings, it => sample(it, position, applied, velocity, now))
     }
 
     /// Forgets the position: the next reading displaces nothing, as the first.
-    fn restart(&mut self) {
-        whatever_axes!(&mut self.readings, AnyReadings, it => whatever_kind!(it, it => it.restart()));
+    fn restart(slf: &Bound<'_, Self>) -> PyResult<()> {
+        let this = &mut *taken(slf)?;
+        whatever_axes!(&mut this.readings, AnyReadings, it => whatever_kind!(it, it => it.restart()));
+        Ok(())
     }
 
     /// The period, s.
@@ -151,7 +154,7 @@ impl Readings {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let (py, this) = (slf.py(), slf.try_borrow()?);
+        let (py, this) = (slf.py(), seen(slf)?);
         let Made { period, fastest, cutoff, measured, clocked } = this.made;
         let memory = PyBytes::new(py, &this.memory()?);
         let made = (period, this.axes(), fastest, cutoff, measured, clocked);
@@ -171,7 +174,17 @@ impl Readings {
     }
 
     fn __repr__(&self) -> String {
-        format!("Readings(period={:?}, axes={})", self.period(), self.axes())
+        let Made { period, fastest, cutoff, measured, clocked } = self.made;
+        let mut text = format!("Readings(period={period:?}, axes={}", self.axes());
+        for (name, number) in [("no_faster_than", fastest), ("cutoff", cutoff)] {
+            if let Some(number) = number {
+                text += &format!(", {name}={number:?}");
+            }
+        }
+        for (name, is_so) in [("measured", measured), ("clocked", clocked)] {
+            text += &if is_so { format!(", {name}=True") } else { String::new() };
+        }
+        text + ")"
     }
 }
 

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::{Candidate, Raised};
-use crate::errors;
+use crate::errors::{self, kind};
 
 /// A number that a stabilizer is made of: its name, its unit, and what it is where it is left out.
 struct Number(&'static str, &'static str, Option<f64>);
@@ -95,7 +95,7 @@ impl Recipe {
         if *name == "lolc" {
             known.extend(["damping", "candidate"]);
             damping = taken("damping")?.map(|value| number(&value, "damping")).transpose()?;
-            object = taken("candidate")?.map(Bound::unbind);
+            object = taken("candidate")?.map(Candidate::checked).transpose()?;
         }
         let given = given.into_iter().flat_map(|given| given.keys());
         let given: Vec<String> = given.map(|key| key.extract()).collect::<PyResult<_>>()?;
@@ -111,6 +111,11 @@ impl Recipe {
             ));
         }
         Ok(Self { name, numbers, damping, object })
+    }
+
+    /// The recipe of one that observes the port's energy and may inject nothing.
+    pub(crate) fn observing() -> Self {
+        Self { name: "popc", numbers: vec![0.0], damping: None, object: None }
     }
 
     /// The candidate that credits `damping`, or that `object` tells.
@@ -216,13 +221,14 @@ fn complete(name: &str, missing: &[(&str, &str)]) -> PyResult<()> {
 
 /// A number; whole and above 0 where it counts ticks.
 fn number(value: &Bound<'_, PyAny>, key: &str) -> PyResult<f64> {
-    let number: f64 = value
-        .extract()
-        .map_err(|_| errors::input(format!("{key} is no number\n  = give a float")))?;
+    let number: f64 = value.extract().map_err(|_| {
+        errors::input(format!("{key} is {}, which is no number\n  = give a float", kind(value)))
+    })?;
     let is_count = number.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(&number);
     match key == "ticks" && !is_count {
         true => Err(errors::input(format!(
-            "ticks is {number:?}; it must be a whole number of 1 or more"
+            "ticks is {number:?}; it must be a whole number from 1 to {}",
+            u32::MAX
         ))),
         false => Ok(number),
     }

@@ -6,9 +6,9 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
 use super::deep_copy::{Asking, deep_copy};
-use super::{Candidate, Correction, Raised, Recipe, Sample};
+use super::{Candidate, Correction, Raised, Recipe, Sample, seen, taken};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
-use crate::errors;
+use crate::errors::{self, of_class};
 use crate::stored;
 use crate::whole;
 
@@ -62,6 +62,11 @@ impl Stabilizer {
         Ok(Self { member, recipe, raised })
     }
 
+    /// One of the same numbers that has summed nothing.
+    pub(crate) fn fresh(&self, py: Python<'_>) -> PyResult<Self> {
+        Self::of(self.recipe.again(py), self.count())
+    }
+
     /// The number of axes.
     pub(crate) fn count(&self) -> usize {
         self.member.axes()
@@ -106,38 +111,46 @@ impl Stabilizer {
 
     /// The name.
     #[getter]
-    fn name(&self) -> &'static str {
-        self.recipe.name
+    fn name(slf: &Bound<'_, Self>) -> PyResult<&'static str> {
+        Ok(seen(slf)?.recipe.name)
     }
 
     /// The number of axes.
     #[getter]
-    fn axes(&self) -> usize {
-        self.count()
+    fn axes(slf: &Bound<'_, Self>) -> PyResult<usize> {
+        Ok(seen(slf)?.count())
     }
 
     /// The correction of `effort`, N, a float or an array of shape (axes,), with which a controller answers `sample`.
     ///
     /// The effort resists motion, `m ẍ = … − effort`. A sample that is not finite is rejected: the correction is then 0 and
     /// not `accepted`.
-    fn stabilize(&mut self, sample: &Sample, effort: &Bound<'_, PyAny>) -> PyResult<Correction> {
+    fn stabilize(
+        slf: &Bound<'_, Self>,
+        sample: &Bound<'_, PyAny>,
+        effort: &Bound<'_, PyAny>,
+    ) -> PyResult<Correction> {
+        let sample: &Sample = of_class(sample, "sample")?.get();
+        let this = &mut *taken(slf)?;
         let corrected =
-            whatever_axes!(&mut self.member, AnyMember, it => corrected(it, sample, effort)?);
-        if self.recipe.object.is_some() {
-            self.raised.check()?;
+            whatever_axes!(&mut this.member, AnyMember, it => corrected(it, sample, effort)?);
+        if this.recipe.object.is_some() {
+            this.raised.check()?;
         }
         Ok(corrected)
     }
 
     /// Forgets all that it has summed: credit is forfeited, a debt forgiven.
-    fn reset(&mut self, py: Python<'_>) -> PyResult<()> {
-        *self = Self::of(self.recipe.again(py), self.count())?;
+    fn reset(slf: &Bound<'_, Self>) -> PyResult<()> {
+        let mut this = taken(slf)?;
+        let fresh = this.fresh(slf.py())?;
+        *this = fresh;
         Ok(())
     }
 
     /// A copy with the same memory.
-    fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
-        self.copied(py)
+    fn __copy__(slf: &Bound<'_, Self>) -> PyResult<Self> {
+        seen(slf)?.copied(slf.py())
     }
 
     fn __deepcopy__<'py>(
@@ -148,7 +161,7 @@ impl Stabilizer {
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        let (py, this) = (slf.py(), slf.try_borrow()?);
+        let (py, this) = (slf.py(), seen(slf)?);
         let arguments = this.recipe.arguments(py)?;
         let memory = PyBytes::new(py, &this.memory()?);
         let parts = (this.recipe.name, this.count(), arguments, memory);
@@ -167,12 +180,13 @@ impl Stabilizer {
         Ok(made)
     }
 
-    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let mut text = format!("Stabilizer({:?}", self.recipe.name);
-        for (key, value) in self.recipe.arguments(py)? {
+    fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
+        let this = seen(slf)?;
+        let mut text = format!("Stabilizer({:?}", this.recipe.name);
+        for (key, value) in this.recipe.arguments(slf.py())? {
             text += &format!(", {key}={}", value.repr()?);
         }
-        Ok(if self.count() > 1 { format!("{text}, axes={})", self.count()) } else { text + ")" })
+        Ok(if this.count() > 1 { format!("{text}, axes={})", this.count()) } else { text + ")" })
     }
 }
 

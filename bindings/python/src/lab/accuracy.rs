@@ -3,13 +3,18 @@
 use lyapunov_lab::accuracy::{AccuracyError, Study};
 use pyo3::prelude::*;
 
-use super::columns::Columns;
+use super::columns::{Columns, Kinds};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
 
-/// The columns of words.
-const WORDS: [&str; 4] = ["propagator", "scalar", "error_is_known", "pareto"];
+/// The columns that do not hold numbers.
+const KINDS: Kinds<'_> = Kinds {
+    words: &["propagator", "scalar"],
+    truths: &["error_is_known", "pareto"],
+    wholes: &[],
+    judgements: &[],
+};
 
 /// Parts of all that progress is told in.
 const PARTS: u64 = 1000;
@@ -42,7 +47,7 @@ pub(crate) fn accuracy(
             json: study.document(target).map_err(Fault::internal)?,
             text: format!("{study}{advice}"),
             figures: vec![study.figure().to_svg()],
-            columns: Columns::of_csv(&study.csv(), &WORDS)?,
+            columns: Columns::of_csv(&study.csv(), KINDS)?.into(),
             ..Told::default()
         })
     })

@@ -3,7 +3,7 @@
 use lyapunov_lab::bound::{Limits, RadiusCurve};
 use pyo3::prelude::*;
 
-use super::columns::Columns;
+use super::columns::{Columns, Kinds};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 
@@ -18,10 +18,12 @@ pub(crate) fn bound(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told> 
             json: limits.to_json(&name).map_err(Fault::internal)?,
             text: format!("{name}\n{limits}"),
             figures: curve.iter().map(|curve| curve.figure(&name).to_svg()).collect(),
-            columns: curve.map_or_else(
-                || Ok(Columns::default()),
-                |curve| Columns::of_csv(&curve.csv(), &[]),
-            )?,
+            columns: curve
+                .map_or_else(
+                    || Ok(Columns::default()),
+                    |curve| Columns::of_csv(&curve.csv(), Kinds::default()),
+                )?
+                .into(),
             ..Told::default()
         })
     })

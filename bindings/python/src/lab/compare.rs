@@ -10,7 +10,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyMapping;
 
-use super::columns::Columns;
+use super::columns::{Columns, Kinds};
 use super::run::in_f64;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
@@ -58,7 +58,7 @@ pub(crate) fn compare(
             json: document(&comparisons, &[]).map_err(Fault::internal)?,
             text: text.join("\n"),
             figures: comparisons.iter().map(|one| one.figure().to_svg()).collect(),
-            columns: Columns::of_csv(&csv(&comparisons), &words())?,
+            columns: scored(&csv(&comparisons))?.into(),
             ..Told::default()
         })
     })
@@ -94,10 +94,17 @@ fn makers(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own
     Ok(entrants)
 }
 
-/// The columns of words in a table of scores, and in front of it.
-pub(super) fn words() -> Vec<&'static str> {
+/// The columns of a table of scores, and of the names of scenes in front of it.
+pub(super) fn scored(csv: &str) -> PyResult<Columns> {
     let of_scores = Column::ALL.into_iter().filter(|column| column.is_words());
-    std::iter::once("scene").chain(of_scores.map(Column::key)).collect()
+    let words: Vec<&str> = std::iter::once("scene").chain(of_scores.map(Column::key)).collect();
+    let kinds = Kinds {
+        words: &words,
+        judgements: &[Column::BrokeIt.key()],
+        wholes: &[Column::StateBytes.key()],
+        truths: &[],
+    };
+    Columns::of_csv(csv, kinds)
 }
 
 fn compared(
@@ -133,14 +140,14 @@ fn entered<V: Space + Axes>(
 /// A stabilizer of its own for a run.
 fn fresh(make: &Py<PyAny>, raised: &Raised) -> PythonStabilizer {
     Python::attach(|py| {
-        let made = make.call0(py).and_then(|made| {
-            PythonStabilizer::check(made.bind(py), "what own made").map(|()| made)
+        let made = make.bind(py).call0().and_then(|made| {
+            PythonStabilizer::check(&made, "what own made")?;
+            PythonStabilizer::of(&made, raised.clone())
         });
-        let made = made.unwrap_or_else(|error| {
+        made.unwrap_or_else(|error| {
             raised.keep(error);
-            py.None()
-        });
-        PythonStabilizer::new(made, raised.clone())
+            PythonStabilizer::none(py, raised.clone())
+        })
     })
 }
 

@@ -11,6 +11,9 @@ use super::{Scene, Told};
 use crate::errors;
 use crate::whole;
 
+/// The most members of a call.
+const MOST: u64 = 10_000_000;
+
 /// The runs of `count` members of an ensemble, from number `first` on.
 #[pyfunction]
 #[pyo3(signature = (scene, first, count, seed, stabilizer=None, phase=None, mass=None, damping=None, stiffness=None,
@@ -42,6 +45,12 @@ pub(crate) fn ensemble(
         damping: damping.unwrap_or(usual.damping),
         stiffness: stiffness.unwrap_or(usual.stiffness),
     };
+    check(&moves)?;
+    if count > MOST {
+        return Err(errors::input(format!(
+            "members is {count}; a table has at most {MOST} rows, one for each\n  = give fewer, or several calls with a seed of their own"
+        )));
+    }
     let ensemble = Ensemble { seed, moves };
     wait(py, progress, count, move |watched| {
         let member = |number: u64| {
@@ -57,7 +66,26 @@ pub(crate) fn ensemble(
         };
         let runs = (first..first + count).into_par_iter().map(member);
         let runs = runs.collect::<Result<Vec<_>, Fault>>()?;
-        Ok(Told { columns: columns(first, &runs), ..Told::default() })
+        Ok(Told { columns: columns(first, &runs).into(), ..Told::default() })
+    })
+}
+
+/// Refuses moves that are no shares; that of the phase may be more than one period.
+fn check(moves: &Moves) -> PyResult<()> {
+    let shares = [
+        ("phase", moves.phase, f64::MAX),
+        ("mass", moves.mass, 1.0),
+        ("damping", moves.damping, 1.0),
+        ("stiffness", moves.stiffness, 1.0),
+    ];
+    shares.into_iter().try_for_each(|(name, share, most)| match (0.0..most).contains(&share) {
+        true => Ok(()),
+        false if most > 1.0 => Err(errors::input(format!(
+            "{name} is {share:?}; it must be periods of the environment, 0 or more and finite"
+        ))),
+        false => Err(errors::input(format!(
+            "{name} is {share:?}; it must be a share below 1, and 0 or more"
+        ))),
     })
 }
 
@@ -77,10 +105,10 @@ fn columns(first: u64, runs: &[Summary]) -> Columns {
         let numbers = runs.iter().map(|run| of(run).unwrap_or(f64::NAN)).collect();
         (name.to_owned(), Column::Numbers(numbers))
     };
-    let members = (first..).take(runs.len()).map(|number| number as f64).collect();
+    let members = (first..).take(runs.len()).map(|number| number as i64).collect();
     let verdicts = runs.iter().map(|run| run.verdict().word()).collect();
     Columns(vec![
-        ("member".to_owned(), Column::Numbers(members)),
+        ("member".to_owned(), Column::Wholes(members)),
         ("verdict".to_owned(), Column::Words(verdicts)),
         numbers("settling_time_s", &Summary::settling_time),
         numbers("peak_force_environment_n", &|run| Some(run.environment_peak)),

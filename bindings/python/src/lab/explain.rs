@@ -4,9 +4,13 @@ use lyapunov_lab::explain::Explanation;
 use lyapunov_lab::in_space;
 use pyo3::prelude::*;
 
-use super::columns::Columns;
+use super::columns::{Columns, Kinds};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
+
+/// The columns that do not hold numbers.
+const KINDS: Kinds<'_> =
+    Kinds { words: &["stretch", "part"], truths: &[], wholes: &[], judgements: &[] };
 
 /// Where the energy of a run comes from, and what helps.
 #[pyfunction]
@@ -22,7 +26,7 @@ pub(crate) fn explain(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told
             json: explanation.to_json(&name).map_err(Fault::internal)?,
             text: format!("{name}\n{explanation}"),
             figures: vec![explanation.figure(&name).to_svg()],
-            columns: Columns::of_csv(&explanation.csv(), &["stretch", "part"])?,
+            columns: Columns::of_csv(&explanation.csv(), KINDS)?.into(),
             ..Told::default()
         })
     })

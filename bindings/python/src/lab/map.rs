@@ -9,7 +9,7 @@ use lyapunov_lab::scene as lab;
 use pyo3::prelude::*;
 
 use super::columns::{Column, Columns, Words};
-use super::compare::words;
+use super::compare::scored;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
@@ -32,14 +32,37 @@ pub(crate) fn map(
     let names: StabilizerNames = stabilizers.parse().map_err(errors::input)?;
     match y {
         None => {
+            fits(("value", x.count, SWEPT), &names, "")?;
             let plan = SweepPlan::new(&name, scene.clone(), x, names.on(&scene));
             let plan = plan.map_err(|error| errors::input(format!("{name}: {error}")))?;
             wait(py, progress, plan.ticks(), move |watched| swept(plan, &name, threads, watched))
         }
         Some(y) => {
             let grid = grid_of(&name, scene, x, y.parse().map_err(errors::input)?, &names)?;
+            fits(("cell", grid.cells(), MOST), &grid.stabilizers, FILES)?;
             wait(py, progress, grid.cells(), move |watched| mapped(&grid, &name, threads, watched))
         }
+    }
+}
+
+/// The most rows of a map's table.
+const MOST: u64 = 10_000_000;
+
+/// The same of a sweep, which holds the scene of each.
+const SWEPT: u64 = 1_000_000;
+
+/// Where the rows of larger maps go.
+const FILES: &str = ", or let lyapunov.ray.map(…, folder=…) or `python -m lyapunov map --shard` write the rows into files";
+
+/// Refuses more rows than a table holds: `places` are so many of a kind, of which each has a row under each of `names`.
+fn fits(places: (&str, u64, u64), names: &StabilizerNames, elsewhere: &str) -> PyResult<()> {
+    let ((kind, count, most), each) = (places, names.len() as u64);
+    match count.checked_mul(each).filter(|rows| *rows <= most) {
+        Some(_) => Ok(()),
+        None => Err(errors::input(format!(
+            "{count} {kind}s under {each} stabilizer(s) are more than the {most} rows that the table may have\n  = give coarser axes or \
+             fewer stabilizers{elsewhere}"
+        ))),
     }
 }
 
@@ -76,7 +99,7 @@ fn swept(
         json: sweep.document().map_err(Fault::internal)?,
         text: sweep.to_string(),
         figures: vec![sweep.verdicts().to_svg(), sweep.curves().to_svg()],
-        columns: Columns::of_csv(&sweep.csv(), &words())?,
+        columns: scored(&sweep.csv())?.into(),
         ..Told::default()
     })
 }
@@ -102,7 +125,7 @@ fn mapped(
     let effort = effort.map_err(|error| fault(name, error))?;
     let computation = Computation::of(&run, effort);
     let told = told(&survey, Some(&computation))?;
-    Ok(Told { columns: rows.columns(grid), ..told })
+    Ok(Told { columns: rows.columns(grid).into(), ..told })
 }
 
 /// All that a survey tells, but its rows.
@@ -120,9 +143,10 @@ pub(super) fn told(survey: &Survey, computation: Option<&Computation>) -> Result
 /// The columns of words in map.csv.
 const WORDS: [&str; 3] = ["stabilizer", "verdict", "verdict_by"];
 
-/// The rows of map.csv.
+/// The rows of map.csv; none of a map that has more than [`MOST`].
 #[derive(Debug, Default)]
 pub(super) struct Rows {
+    count: u64,
     places: [Vec<f64>; 2],
     words: [Words; 3],
     measures: Vec<Vec<f64>>,
@@ -130,6 +154,11 @@ pub(super) struct Rows {
 
 impl Rows {
     pub(super) fn add(&mut self, grid: &Grid, cell: u64, outcomes: &[Outcome]) {
+        self.count += outcomes.len() as u64;
+        if self.count > MOST {
+            *self = Self { count: self.count, ..Self::default() };
+            return;
+        }
         self.measures.resize(Measure::ALL.len(), Vec::new());
         let values = grid.values(cell);
         for (member, outcome) in grid.stabilizers.iter().zip(outcomes) {
@@ -147,6 +176,9 @@ impl Rows {
     }
 
     pub(super) fn columns(self, grid: &Grid) -> Columns {
+        if self.count > MOST {
+            return Columns::default();
+        }
         let axes = [&grid.x.key, &grid.y.key].map(String::clone);
         let places = axes.into_iter().zip(self.places.map(Column::Numbers));
         let words = WORDS.map(str::to_owned).into_iter().zip(self.words.map(Column::Words));

@@ -8,12 +8,14 @@ pub(crate) mod ensemble;
 pub(crate) mod explain;
 pub(crate) mod map;
 pub(crate) mod observe;
+mod rows;
 pub(crate) mod run;
 mod scene;
 mod shard;
 mod tables;
 mod told;
 pub(crate) mod tune;
+pub(crate) mod units;
 mod work;
 
 pub(crate) use scene::Scene;

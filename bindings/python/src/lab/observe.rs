@@ -1,6 +1,6 @@
 //! Observation of a recorded log.
 
-use std::io::{BufReader, Read};
+use std::io::{BufReader, Cursor, Read};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 
@@ -8,11 +8,57 @@ use lyapunov_lab::observe::{
     self as lab, Asked, Candidate, Columns as LogColumns, Scale, Settings,
 };
 use pyo3::prelude::*;
+use pyo3::types::PyBytes;
 
-use super::columns::Columns;
+use super::columns::{Columns, Kinds};
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
+
+/// The columns of stabilizers on the recorded motion that do not hold numbers.
+const REPLAYED: Kinds<'_> = Kinds {
+    words: &["stabilizer"],
+    wholes: &["ticks", "active_ticks", "rejected"],
+    truths: &[],
+    judgements: &[],
+};
+
+/// A recorded log.
+enum Source {
+    File(PathBuf),
+    /// Comma-separated values in memory.
+    Text(Vec<u8>),
+}
+
+impl Source {
+    /// The log that `given` is, and its name: the path of a file, or bytes.
+    fn of(given: &Bound<'_, PyAny>) -> PyResult<(Self, String)> {
+        if let Ok(text) = given.cast::<PyBytes>() {
+            return Ok((Self::Text(text.as_bytes().to_vec()), "log".to_owned()));
+        }
+        let path: PathBuf = given.extract()?;
+        let name = path.display().to_string();
+        Ok((Self::File(path), name))
+    }
+
+    fn size(&self) -> u64 {
+        match self {
+            Self::File(path) => std::fs::metadata(path).map_or(0, |it| it.len()),
+            Self::Text(text) => text.len() as u64,
+        }
+    }
+
+    fn opened(self, name: &str) -> Result<Box<dyn Read>, Fault> {
+        match self {
+            Self::File(path) => {
+                let file = lab::opened(&path);
+                let file = file.map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
+                Ok(Box::new(BufReader::new(file)))
+            }
+            Self::Text(text) => Ok(Box::new(Cursor::new(text))),
+        }
+    }
+}
 
 /// When a recorded device generated energy, and what stabilizers would have done.
 #[pyfunction]
@@ -21,7 +67,7 @@ use crate::errors;
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn observe(
     py: Python<'_>,
-    log: PathBuf,
+    log: &Bound<'_, PyAny>,
     columns: Option<&str>,
     scale: Vec<String>,
     candidate: &str,
@@ -53,12 +99,9 @@ pub(crate) fn observe(
         contact,
         asked,
     };
-    let name = log.display().to_string();
-    let size = std::fs::metadata(&log).map_or(0, |it| it.len());
-    wait(py, progress, size, move |watched| {
-        let file =
-            lab::opened(&log).map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
-        let log = Heeding { inner: BufReader::new(file), watched };
+    let (source, name) = Source::of(log)?;
+    wait(py, progress, source.size(), move |watched| {
+        let log = Heeding { inner: source.opened(&name)?, watched };
         let observed = lab::observe(log, &name, &settings);
         if watched.go_on() == ControlFlow::Break(()) {
             return Err(Fault::Stopped);
@@ -73,7 +116,16 @@ pub(crate) fn observe(
                 .flatten()
                 .map(|figure| figure.to_svg())
                 .collect(),
-            columns: Columns::of_csv(&observed.csv(), &[])?,
+            columns: Columns::of_csv(&observed.csv(), Kinds::default())?.into(),
+            further: observed
+                .report
+                .replay
+                .as_ref()
+                .map_or_else(
+                    || Ok(Columns::default()),
+                    |replay| Columns::of_csv(&replay.csv(), REPLAYED),
+                )?
+                .into(),
             ..Told::default()
         })
     })

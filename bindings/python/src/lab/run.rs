@@ -5,12 +5,10 @@ use std::ops::ControlFlow;
 use lyapunov_lab::explain::Hint;
 use lyapunov_lab::family::StabilizerName;
 use lyapunov_lab::run::Curves;
-use lyapunov_lab::{
-    Rollout, RowFile, Space, Summary, in_space, in_space_of, row_numbers, scene as lab,
-};
+use lyapunov_lab::{Rollout, Space, Summary, in_space, in_space_of, row_numbers, scene as lab};
 use pyo3::prelude::*;
 
-use super::columns::{Column, Columns};
+use super::rows::Rows;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::axes::Axes;
@@ -29,13 +27,14 @@ enum By {
     Python(Py<PyAny>, Raised),
 }
 
-/// One run: its summary, and the rows of docs/contract.md.
+/// One run: its summary, and the rows of docs/contract.md if they are asked for.
 #[pyfunction]
-#[pyo3(signature = (scene, stabilizer=None, progress=None))]
+#[pyo3(signature = (scene, stabilizer=None, rows=true, progress=None))]
 pub(crate) fn run(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     stabilizer: Option<&Bound<'_, PyAny>>,
+    rows: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
@@ -49,15 +48,24 @@ pub(crate) fn run(
             }
         },
     };
-    wait(py, progress, scene.ticks(), move |watched| told(&scene, &name, &by, watched))
+    wait(py, progress, scene.ticks(), move |watched| {
+        let rows = Rows::of(&scene, rows)?;
+        told(&scene, &name, &by, rows, watched)
+    })
 }
 
-fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<Told, Fault> {
+fn told(
+    scene: &lab::Scene,
+    name: &str,
+    by: &By,
+    rows: Rows,
+    watched: &Watched,
+) -> Result<Told, Fault> {
     match by {
         By::Scene => {
             in_space!(scene, Own => {
                 let rollout = Rollout::<Own>::of(scene).map_err(Fault::input)?;
-                drain(scene, name, rollout, watched)
+                drain(scene, name, rollout, rows, watched)
             })
         }
         By::Name(who) => {
@@ -66,13 +74,13 @@ fn told(scene: &lab::Scene, name: &str, by: &By, watched: &Watched) -> Result<To
             let told = who.written_in(scene, &[]).map_err(Fault::input)?;
             in_space!(scene, Own => {
                 let rollout = Rollout::<Own>::under(scene, *who).map_err(Fault::input)?;
-                drain(&told, name, rollout, watched)
+                drain(&told, name, rollout, rows, watched)
             })
         }
         By::Python(object, raised) => {
             in_f64(scene)?;
             let told = in_space_of!(f64, scene, V => {
-                drain(scene, name, foreign::<V>(scene, object, raised)?, watched)
+                drain(scene, name, foreign::<V>(scene, object, raised)?, rows, watched)
             });
             raised.check()?;
             told
@@ -96,9 +104,11 @@ fn foreign<V: Space + Axes>(
     object: &Py<PyAny>,
     raised: &Raised,
 ) -> Result<Rollout<V>, Fault> {
-    let told = Python::attach(|py| who(object.bind(py)).map(|name| (object.clone_ref(py), name)));
-    let (object, name) = told?;
-    let made = PythonStabilizer::new(object, raised.clone());
+    let made = Python::attach(|py| -> PyResult<_> {
+        let object = object.bind(py);
+        Ok((who(object)?, PythonStabilizer::of(object, raised.clone())?))
+    });
+    let (name, made) = made?;
     Ok(Rollout::stabilized_by(scene, made).map_err(Fault::input)?.called(name))
 }
 
@@ -115,29 +125,25 @@ fn drain<V: Space>(
     scene: &lab::Scene,
     name: &str,
     rollout: Rollout<V>,
+    mut rows: Rows,
     watched: &Watched,
 ) -> Result<Told, Fault> {
     let (mut summary, mut curves) = (Summary::under(scene, &rollout), Curves::new(scene));
-    let names: Vec<String> = RowFile::of(scene).columns.into_iter().map(|it| it.name).collect();
-    let mut numbers: Vec<Vec<f64>> = vec![Vec::new(); names.len()];
     for tick in rollout {
         // The tick at 0 s is the first, and no tick of the scene's duration.
         let done = if summary.rows == 0 { 0 } else { BREATH };
         if summary.rows.is_multiple_of(BREATH) && watched.add(done) == ControlFlow::Break(()) {
             return Err(Fault::Stopped);
         }
-        for (column, number) in numbers.iter_mut().zip(row_numbers(&tick)) {
-            column.push(number);
-        }
+        rows.add(row_numbers(&tick));
         summary.add(&tick);
         curves.add(&tick, &summary);
     }
-    let columns = names.into_iter().zip(numbers.into_iter().map(Column::Numbers)).collect();
     Ok(Told {
         json: summary.to_json(name).map_err(Fault::internal)?,
         text: format!("{name}\n{summary}\n{}", Hint::of(&summary)),
         figures: vec![curves.figure(name, &summary).to_svg()],
-        columns: Columns(columns),
+        columns: rows.columns().into(),
         ..Told::default()
     })
 }

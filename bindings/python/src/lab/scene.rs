@@ -7,10 +7,10 @@ use lyapunov_lab::scene::{self as lab, Motion};
 use lyapunov_lab::scenes::text_of;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList, PyTuple};
 
 use super::tables;
-use crate::errors;
+use crate::errors::{self, kind};
 use crate::stored;
 
 /// A checked scene: a simulated loop, its duration and its stabilizer, in SI units.
@@ -39,11 +39,19 @@ impl Scene {
             return Self::read(py, &text, name);
         }
         let path: PathBuf = source.extract().map_err(|_| {
-            let kind = source.get_type().name().map_or_else(|_| "this".into(), |it| it.to_string());
+            let several = source.is_instance_of::<PyList>() || source.is_instance_of::<PyTuple>();
+            let remedy =
+                if several { "; give several one by one, as in compare(*scenes)" } else { "" };
             PyTypeError::new_err(format!(
-                "a scene is a dictionary, or the path of a file, and not {kind}"
+                "a scene is a dictionary, or the path of a file, and not {}{remedy}",
+                kind(source)
             ))
         })?;
+        if path.to_str().is_some_and(is_toml) {
+            return Err(errors::input(
+                "this is the text of a scene, and not the path of its file\n  = give Scene.parse(text)",
+            ));
+        }
         let scene = lab::Scene::load(&path).map_err(|fault| errors::scene(py, &fault))?;
         Ok(Self { scene, name: name.unwrap_or_else(|| path.display().to_string()) })
     }
@@ -113,6 +121,11 @@ impl Scene {
     fn __repr__(&self) -> String {
         format!("<Scene {:?}: {} ticks>", self.name, self.scene.ticks())
     }
+}
+
+/// Whether what should be a path is a text in TOML: lines, or a key with its value.
+fn is_toml(path: &str) -> bool {
+    path.contains('\n') || (path.contains(" = ") && !Path::new(path).exists())
 }
 
 impl Scene {

@@ -143,7 +143,7 @@ impl MapMerge {
                 .and_then(|()| fs::rename(part, &path))
                 .and_then(|()| sync_folder(folder));
             named.map_err(|error| Fault::input(OutputError::new(&path, error)))?;
-            Ok(Told { columns: rows.columns(survey.grid()), ..told(&survey, None)? })
+            Ok(Told { columns: rows.columns(survey.grid()).into(), ..told(&survey, None)? })
         })
     }
 }

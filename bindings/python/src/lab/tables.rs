@@ -23,9 +23,12 @@ fn tree(table: &Bound<'_, PyDict>, path: &str, left: u32) -> PyResult<toml::Valu
             ))
         })?;
         let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
-        if !inner.is_none() {
-            found.insert(key, leaf(&inner, &path, left)?);
+        if inner.is_none() {
+            return Err(errors::input(format!(
+                "`{path}` is None, which no scene holds\n  = leave the key out, or give a value"
+            )));
         }
+        found.insert(key, leaf(&inner, &path, left)?);
     }
     Ok(toml::Value::Table(found))
 }

@@ -4,11 +4,15 @@ use lyapunov_lab::family::StabilizerNames;
 use lyapunov_lab::tune::{Objective, TuneError, Tuning, csv, document, figure, table};
 use pyo3::prelude::*;
 
-use super::columns::Columns;
+use super::columns::{Columns, Kinds};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
 use crate::whole;
+
+/// The columns that do not hold numbers.
+const KINDS: Kinds<'_> =
+    Kinds { words: &["stabilizer", "key", "unit"], truths: &[], wholes: &[], judgements: &[] };
 
 /// The best parameters of each stabilizer, from as many runs for each.
 #[pyfunction]
@@ -53,7 +57,8 @@ pub(crate) fn tune(
             text: table(&name, &tuning, &tuned),
             figures: vec![figure(&name, tuning.objective, &tuned).to_svg()],
             scenes: scenes.collect::<Result<_, _>>()?,
-            columns: Columns::of_csv(&csv(&tuned), &["stabilizer", "key", "unit"])?,
+            columns: Columns::of_csv(&csv(&tuned), KINDS)?.into(),
+            ..Told::default()
         })
     })
 }

@@ -19,6 +19,7 @@ mod survey;
 mod sweep;
 mod table;
 mod table_error;
+mod threads;
 mod varied;
 mod vary;
 mod workload;

@@ -9,6 +9,7 @@ use super::grid::{Grid, GridError, Tile};
 use super::kernel::Placed;
 use super::method::Method;
 use super::run_error::RunError;
+use super::threads;
 use super::workload::Workload;
 use crate::files::Scene;
 use crate::measure::runs::{AllMeasures, Judged, Measures, Outcome, Runs};
@@ -73,10 +74,7 @@ impl<'a> Run<'a> {
         method: impl FnOnce() -> Result<Method, RunError>,
         threads: Option<usize>,
     ) -> Result<Self, RunError> {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.unwrap_or_default())
-            .build()
-            .map_err(|error| RunError::Threads(error.to_string()))?;
+        let pool = threads::pool(threads, grid.cells())?;
         pool.install(|| grid.check()).map_err(GridError::from)?;
         Ok(Self { grid, method: method()?, pool })
     }

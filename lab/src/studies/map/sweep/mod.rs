@@ -11,6 +11,7 @@ use toml::Value;
 use super::axis::Axis;
 use super::grid::GridError;
 use super::run_error::RunError;
+use super::threads;
 use super::varied::{Variation, Varied};
 use super::vary::VaryError;
 use crate::files::Scene;
@@ -94,8 +95,7 @@ impl SweepPlan {
     /// # Errors
     /// [`RunError::Stopped`] if `watch` stops it; a stabilizer that cannot be made; threads that cannot be started.
     pub fn run(self, threads: Option<usize>, watch: &SharedWatch<'_>) -> Result<Sweep, RunError> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or_default()).build();
-        let pool = pool.map_err(|error| RunError::Threads(error.to_string()))?;
+        let pool = threads::pool(threads, self.x.count)?;
         let points = (0..self.x.count).into_par_iter().map(|index| {
             let value = self.x.value(index);
             let each = self.scenes[index as usize].iter().zip(self.stabilizers.iter());
