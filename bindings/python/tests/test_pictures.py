@@ -27,6 +27,7 @@ def test_a_comparison_draws_every_column_of_numbers():
             continue
         ax = told.plot(column=name)
         drawn = [bar.get_width() for bar in ax.patches]
+        pyplot.close(ax.figure)
         # Rows of one name are bars of their own.
         assert len(drawn) == 4 and np.array_equal(drawn, column, equal_nan=True), name
 
