@@ -97,7 +97,7 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
         let now = T::choose(sound, inside, last);
         // Where it was, and not where the displacement leads back to: an edge of a cell is met to the bit.
         let before = T::choose(last.finite(), last, now - moved);
-        self.last = now.finite().any().then_some(now);
+        self.last = (self.last.is_some() || now.finite().any()).then_some(now);
         let (inwards, outwards) = (moved.above(zero), moved.below(zero));
 
         let applied = T::choose(sound, sample.applied.larger(zero), zero);
