@@ -129,8 +129,8 @@ mod tests {
     use approx::assert_abs_diff_eq;
     use nalgebra::Vector2;
 
+    use super::super::rollout::Rollout;
     use super::*;
-    use crate::simulate::Rollout;
 
     fn scene(text: &str) -> Scene {
         let usual = "duration = 0.5\nservo_rate = 1000\ndevice = { mass = 0.1, damping = 0.1 }\n";

@@ -65,7 +65,7 @@ mod tests {
                 "duration = 1\nservo_rate = 100\ndevice.mass = 1\nenvironment.wall.stiffness = 100\n\
                  stabilizer.popc-windowed.window = {window}\n"
             );
-            let scene = crate::files::Scene::parse(&text, "test").expect("a scene");
+            let scene = crate::files::scene::Scene::parse(&text, "test").expect("a scene");
             let Some(Stabilizer::PopcWindowed(own)) = scene.stabilizer else { panic!("{text}") };
             assert_eq!(own.shape(&Basis::of(&scene)), ticks, "{window}");
         }
