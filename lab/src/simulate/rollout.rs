@@ -120,6 +120,7 @@ impl<V: Space> Iterator for Rollout<V> {
 #[cfg(test)]
 mod tests {
     use approx::assert_abs_diff_eq;
+    use nalgebra::Vector2;
 
     use super::*;
     use crate::simulate::equilibrium::{equilibria, never_rests};
@@ -189,5 +190,53 @@ mod tests {
         let ramp = "rest = 1.0, motion = { kind = \"ramp\", at = 1.0, to = 0.0, rate = 1.0 }";
         let ramp = scene(&hand.replace("rest = 0.005", ramp), WALL);
         assert!(!never_rests(&ramp) && !equilibria(&ramp).is_empty());
+    }
+
+    /// A light device without a hand.
+    const USUAL: &str =
+        "duration = 0.5\nservo_rate = 1000\ndevice = { mass = 0.1, damping = 0.1 }\n";
+
+    /// The force of the controller is what the commanded force is more than the environment's, in any stabilizer.
+    #[test]
+    fn the_controller_s_force_is_what_it_adds() {
+        let line =
+            "initial = { position = -0.001, velocity = 0.3 }\nenvironment.wall.stiffness = 2000\n";
+        for table in [
+            "popc = {}",
+            "lolc = {}",
+            "tank.start = 1e-4",
+            "force-bound.budget = 1e-4",
+            "energy-bounding = {}",
+            "force-bounding = {}",
+            "memory-based = {}",
+            "slope-bound = {}",
+            "iss = {}",
+            "virtual-coupling = {}",
+            "least-norm = {}",
+        ] {
+            let scene = scene(USUAL, &format!("{line}stabilizer.{table}\n"));
+            let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().rows().collect();
+            for row in &rows {
+                assert_abs_diff_eq!(row.f_env + row.f_ctl, row.f_out, epsilon = 1e-12);
+            }
+            assert!(rows.iter().any(|row| row.f_ctl != 0.0), "{table}");
+        }
+    }
+
+    #[test]
+    fn a_directed_damper_adds_no_force_across_its_direction() {
+        let scene = scene(
+            USUAL,
+            "space.dimensions = 2\ninitial = { position = [0.0, -0.001], velocity = [0.2, 0.3] }\n\
+             environment.plane = { point = [0.0, 0.0], normal = [0.0, -1.0], stiffness = 2000 }\n\
+             stabilizer.directed-damping.direction = [0.0, 1.0]\n",
+        );
+        let ticks: Vec<_> = Rollout::<Vector2<f64>>::of(&scene).unwrap().collect();
+        assert!(ticks.iter().any(|tick| tick.correction.alpha > 0.0 && tick.control().x != 0.0));
+        for tick in &ticks {
+            let added = tick.added();
+            assert_eq!(added.x, 0.0);
+            assert_abs_diff_eq!(tick.environment.y + added.y, tick.command.y, epsilon = 1e-12);
+        }
     }
 }
