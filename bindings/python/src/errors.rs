@@ -84,7 +84,7 @@ pub(crate) fn input(error: impl std::fmt::Display) -> PyErr {
     InputError::new_err(OPTIONS.into_iter().fold(error.to_string(), told))
 }
 
-/// What a value is, for an error: an array with its type and shape, or its class.
+/// Words for a value in an error: an array with its type and shape, or its class.
 pub(crate) fn kind(value: &Bound<'_, PyAny>) -> String {
     match value.cast::<PyUntypedArray>() {
         Ok(array) => format!("an array of {} of shape {:?}", array.dtype(), array.shape()),

@@ -2,7 +2,7 @@
 
 use std::io::ErrorKind;
 
-/// What is wrong, and the remedy; none where an error of this kind has words of its own.
+/// Fault and remedy; none where an error of this kind has words of its own.
 pub(super) fn unopened(kind: ErrorKind) -> Option<[&'static str; 2]> {
     match kind {
         ErrorKind::NotFound => {

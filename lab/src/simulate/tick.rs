@@ -42,7 +42,7 @@ impl<V: Signal> Tick<V> {
         self.measured.velocity.scale(self.correction.alpha)
     }
 
-    /// What the stabilizer adds to the environment's effort, N: `α v` to the bit where that is all it adds.
+    /// The effort that the stabilizer adds to the environment's, N: `α v` to the bit where that is all it adds.
     pub(crate) fn added(&self) -> V {
         let (damper, effort) = (self.control(), self.correction.effort);
         if self.environment + damper == effort { damper } else { effort - self.environment }

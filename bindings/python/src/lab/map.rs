@@ -51,7 +51,7 @@ const MOST: u64 = 10_000_000;
 /// The same of a sweep, which holds the scene of each.
 const SWEPT: u64 = 1_000_000;
 
-/// Where the rows of larger maps go.
+/// Remedy for a map of more rows: where those go.
 const FILES: &str = ", or let lyapunov.ray.map(…, folder=…) or `python -m lyapunov map --shard` write the rows into files";
 
 /// Refuses more rows than a table holds: `places` are so many of a kind, of which each has a row under each of `names`.
