@@ -116,7 +116,8 @@ fn notes(survey: &Survey) -> Vec<String> {
     by_speed.into_iter().chain(told(short, "are too short to judge")).chain(sign).collect()
 }
 
-/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, and what is rendered; `-` for an unknown number.
+/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, and what is rendered; `-` for an
+/// unknown number.
 fn table(survey: &Survey) -> Table {
     let headings = [
         Heading::word("stabilizer"),
