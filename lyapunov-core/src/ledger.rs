@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
-use crate::{Accumulator, HeldTick, ParameterError, PortSample, Scalar, Signal, Snapshot};
+use crate::{Accumulator, HeldTick, PortSample, Scalar, Signal, Snapshot};
 
 /// Kind of work that a ledger books.
 pub trait Work: Copy + Debug {
@@ -152,14 +152,4 @@ impl<W: Work, A> Ledger<W, A> {
     }
 }
 
-impl<W: Work, A: Snapshot> Snapshot for Ledger<W, A> {
-    type State = A::State;
-
-    fn state(&self) -> A::State {
-        self.sum.state()
-    }
-
-    fn restored(self, state: A::State) -> Result<Self, ParameterError> {
-        Ok(Self { sum: self.sum.restored(state)?, work: PhantomData })
-    }
-}
+crate::snapshot!(impl[W: Work, A: Snapshot] Ledger<W, A>, is sum, of A::State);

@@ -59,6 +59,26 @@ macro_rules! without_memory {
     )+};
 }
 
+/// Snapshot of a value whose memory is that of one field.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! snapshot {
+    (impl[$($parameters:tt)*] $type:ty, is $field:tt, of $state:ty) => {
+        impl<$($parameters)*> $crate::Snapshot for $type {
+            type State = $state;
+
+            fn state(&self) -> Self::State {
+                self.$field.state()
+            }
+
+            fn restored(mut self, state: Self::State) -> Result<Self, $crate::ParameterError> {
+                self.$field = self.$field.restored(state)?;
+                Ok(self)
+            }
+        }
+    };
+}
+
 without_memory! {
     impl[] crate::PortEnergy;
     impl[T: crate::Scalar, G] crate::Dissipation<T, G>;

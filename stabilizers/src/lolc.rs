@@ -244,14 +244,6 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
 
 account!(impl[T: Scalar, C, W: Work, A: Accumulator<T>] Lolc<T, C, W, A>, in T, is observer.ledger);
 
-impl<T: Scalar, C: Snapshot, W: Work, A: Snapshot> Snapshot for Lolc<T, C, W, A> {
-    type State = (C::State, A::State);
-
-    fn state(&self) -> Self::State {
-        self.observer.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { observer: self.observer.restored(state)?, ..self })
-    }
+lyapunov_core::snapshot! {
+    impl[T: Scalar, C: Snapshot, W: Work, A: Snapshot] Lolc<T, C, W, A>, is observer, of (C::State, A::State)
 }

@@ -134,14 +134,4 @@ impl<S, T: Scalar> Plausible<S, T> {
     }
 }
 
-impl<S: Snapshot, T> Snapshot for Plausible<S, T> {
-    type State = S::State;
-
-    fn state(&self) -> Self::State {
-        self.stabilizer.state()
-    }
-
-    fn restored(self, inside: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { stabilizer: self.stabilizer.restored(inside)?, ..self })
-    }
-}
+lyapunov_core::snapshot!(impl[S: Snapshot, T] Plausible<S, T>, is stabilizer, of S::State);

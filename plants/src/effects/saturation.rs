@@ -39,14 +39,4 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Saturation<P, V::Scalar> {
     }
 }
 
-impl<P: Snapshot, T: Scalar> Snapshot for Saturation<P, T> {
-    type State = P::State;
-
-    fn state(&self) -> Self::State {
-        self.port.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { port: self.port.restored(state)?, ..self })
-    }
-}
+lyapunov_core::snapshot!(impl[P: Snapshot, T: Scalar] Saturation<P, T>, is port, of P::State);

@@ -75,14 +75,4 @@ impl<V: Signal, L: ForceLaw<V>> ForceLaw<V> for Scaled<L, V::Scalar> {
     }
 }
 
-impl<P: Snapshot, T: Scalar> Snapshot for Scaled<P, T> {
-    type State = P::State;
-
-    fn state(&self) -> Self::State {
-        self.port.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { port: self.port.restored(state)?, ..self })
-    }
-}
+lyapunov_core::snapshot!(impl[P: Snapshot, T: Scalar] Scaled<P, T>, is port, of P::State);

@@ -1,6 +1,6 @@
 //! Credit of an environment's own damper, as a term of a candidate.
 
-use lyapunov_core::{ParameterError, Snapshot};
+use lyapunov_core::Snapshot;
 
 /// The credit of the own damper of an environment `E` whose damping, or whose velocity, is not simply the port's.
 ///
@@ -12,15 +12,4 @@ use lyapunov_core::{ParameterError, Snapshot};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DissipationOf<E>(pub(crate) E);
 
-impl<E: Snapshot> Snapshot for DissipationOf<E> {
-    /// The environment's.
-    type State = E::State;
-
-    fn state(&self) -> E::State {
-        self.0.state()
-    }
-
-    fn restored(self, state: E::State) -> Result<Self, ParameterError> {
-        Ok(Self(self.0.restored(state)?))
-    }
-}
+lyapunov_core::snapshot!(impl[E: Snapshot] DissipationOf<E>, is 0, of E::State);

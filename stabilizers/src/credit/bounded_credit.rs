@@ -75,14 +75,4 @@ impl<S, T: Scalar> BoundedCredit<S, T> {
     }
 }
 
-impl<S: Snapshot, T: Scalar> Snapshot for BoundedCredit<S, T> {
-    type State = S::State;
-
-    fn state(&self) -> Self::State {
-        self.stabilizer.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
-    }
-}
+lyapunov_core::snapshot!(impl[S: Snapshot, T: Scalar] BoundedCredit<S, T>, is stabilizer, of S::State);

@@ -8,7 +8,7 @@ pub use along_direction::AlongDirection;
 pub use axis_weights::AxisWeights;
 pub use inertia_metric::InertiaMetric;
 
-use lyapunov_core::{Correction, ParameterError, PortSample, Scalar, Signal, Snapshot, Stabilizer};
+use lyapunov_core::{Correction, PortSample, Scalar, Signal, Snapshot, Stabilizer};
 
 use crate::account::lends;
 use crate::{DampingLimit, StabilizerExt};
@@ -121,14 +121,6 @@ impl<S, M, T: Scalar> DirectedDamping<S, M, T> {
     }
 }
 
-impl<S: Snapshot, M, T: Scalar> Snapshot for DirectedDamping<S, M, T> {
-    type State = S::State;
-
-    fn state(&self) -> Self::State {
-        self.stabilizer.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
-    }
+lyapunov_core::snapshot! {
+    impl[S: Snapshot, M, T: Scalar] DirectedDamping<S, M, T>, is stabilizer, of S::State
 }

@@ -165,14 +165,6 @@ fn checked<T: Scalar>(decay: T) -> Result<T, ParameterError> {
     Requirement::AtMost(1.0).check("barrier decay", decay)
 }
 
-impl<T: Scalar, C: Snapshot, A: Snapshot> Snapshot for LeastNorm<T, C, A> {
-    type State = (C::State, A::State);
-
-    fn state(&self) -> Self::State {
-        self.observer.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { observer: self.observer.restored(state)?, ..self })
-    }
+lyapunov_core::snapshot! {
+    impl[T: Scalar, C: Snapshot, A: Snapshot] LeastNorm<T, C, A>, is observer, of (C::State, A::State)
 }

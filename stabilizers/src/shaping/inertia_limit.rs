@@ -101,17 +101,9 @@ fn rate<T: Scalar>(cap: T, period: T) -> Result<DampingLimit<T>, ParameterError>
     DampingLimit::of_mass(cap, T::of(1.0), period)
 }
 
-/// The memory of the stabilizer inside; the inertia is told again on every tick.
-impl<S: Snapshot, M, T: Scalar> Snapshot for InertiaLimit<S, M, T> {
-    type State = S::State;
-
-    fn state(&self) -> Self::State {
-        self.stabilizer.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
-    }
+// The inertia is told again on every tick.
+lyapunov_core::snapshot! {
+    impl[S: Snapshot, M, T: Scalar] InertiaLimit<S, M, T>, is stabilizer, of S::State
 }
 
 impl<V, S, M> Stabilizer<V> for InertiaLimit<S, M, V::Scalar>

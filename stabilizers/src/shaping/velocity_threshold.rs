@@ -75,14 +75,6 @@ fn squared<T: Scalar>(velocity: T) -> Result<T, ParameterError> {
     Requirement::InRange.check("velocity threshold", velocity * velocity)
 }
 
-impl<S: Snapshot, T: Scalar> Snapshot for VelocityThreshold<S, T> {
-    type State = S::State;
-
-    fn state(&self) -> Self::State {
-        self.stabilizer.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { stabilizer: self.stabilizer.restored(state)?, ..self })
-    }
+lyapunov_core::snapshot! {
+    impl[S: Snapshot, T: Scalar] VelocityThreshold<S, T>, is stabilizer, of S::State
 }

@@ -190,14 +190,6 @@ impl<T: Scalar, C, A> Tank<T, C, A> {
     }
 }
 
-impl<T: Scalar, C: Snapshot, A: Snapshot> Snapshot for Tank<T, C, A> {
-    type State = (C::State, A::State);
-
-    fn state(&self) -> Self::State {
-        self.observer.state()
-    }
-
-    fn restored(self, state: Self::State) -> Result<Self, ParameterError> {
-        Ok(Self { observer: self.observer.restored(state)?, ..self })
-    }
+lyapunov_core::snapshot! {
+    impl[T: Scalar, C: Snapshot, A: Snapshot] Tank<T, C, A>, is observer, of (C::State, A::State)
 }
