@@ -109,7 +109,8 @@ fn notes(
         "the exact limit is none: the linear loop is stable for all",
     );
     friction_notes(scene).into_iter().for_each(|text| note(true, text));
-    let left_out = scene.environment.kind().impedance_note();
+    let kind = scene.environment.kind();
+    let left_out = kind.impedance_note();
     left_out.into_iter().for_each(|text| note(true, text));
     note(scene.dimensions() > 1, "along the normal of the surface, as if it were flat");
     note(
@@ -119,6 +120,10 @@ fn notes(
     note(
         matches!(effects.filter, Some(Filter::Cutoff(_) | Filter::Window(_))),
         "Gil's rule knows nothing of the filter",
+    );
+    note(
+        kind.impedance().is_some_and(|it| it.mass > 0.0),
+        "Gil's rule knows nothing of the environment's mass",
     );
     note(effects.jitter.is_some(), "the period is the nominal one, without jitter");
     note(scene.operator.grip.is_some(), "the grip is the one at the start");
