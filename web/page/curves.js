@@ -17,7 +17,7 @@ function step(range, parts) {
 }
 
 /** A number as short as its step allows. */
-const short = (number, by) => (Math.abs(number) >= 1e5 ? number.toExponential(0) : number.toFixed(Math.max(0, -Math.floor(Math.log10(by) + 1e-9))).replace("-", "−"));
+const short = (number, by) => (Math.abs(number) >= 1e5 ? number.toExponential(0).replace("e+", "e") : number.toFixed(Math.max(0, -Math.floor(Math.log10(by) + 1e-9)))).replace("-", "−");
 
 /** The range that holds nearly all values: a run that grows must not flatten the others, so the widest bounded loop decides. */
 export function range(series, of, times, least) {

@@ -35,10 +35,10 @@ export class Engine {
   /** Calls `name` with an input text; returns the bytes of the output, which are valid until the next call. */
   bytes(name, input, ...numbers) {
     const given = text.encode(input);
-    const place = this.rust.input(given.length);
+    const place = this.rust.input(given.length) >>> 0;
     new Uint8Array(this.rust.memory.buffer, place, given.length).set(given);
     const answer = this.rust[name](...numbers);
-    const output = new Uint8Array(this.rust.memory.buffer, this.rust.output(), this.rust.output_length());
+    const output = new Uint8Array(this.rust.memory.buffer, this.rust.output() >>> 0, this.rust.output_length());
     if (answer !== 0) throw new Refusal(words.decode(output));
     return output;
   }

@@ -161,6 +161,7 @@ function update() {
   clearTimeout(later);
   later = setTimeout(() => {
     keep();
+    $("why-said").textContent = "…";
     ask("explain", { scene, name: state.under });
     family.begin();
     ask("family", { scene });
@@ -173,7 +174,8 @@ function take(tree, chosen = {}) {
   const before = { ...state };
   Object.assign(state, { tree }, chosen);
   const runs = update();
-  if (!runs) Object.assign(state, before);
+  if (runs) $("said").textContent = "";
+  else Object.assign(state, before);
   return runs;
 }
 
@@ -335,7 +337,7 @@ function choices() {
     });
     $("why-of").append(button);
   }
-  for (const [index, word] of ["settles", "swinging", "grows"].entries()) {
+  for (const [index, word] of ["settles", "swinging", "grows", "short"].entries()) {
     const it = Object.assign(document.createElement("li"), { textContent: words[index] });
     it.className = word;
     $("legend").append(it);
@@ -355,7 +357,7 @@ function share() {
   const { page, ...tree } = shared;
   const candidate = CANDIDATES[page?.candidate] ? page.candidate : state.candidate;
   const under = ["none", "popc", candidate].includes(page?.under) ? page.under : "none";
-  if (!take(tree, page ? { candidate, under } : named(tree))) return;
+  if (!take(tree, page ? { candidate, under } : named(tree))) return keep();
   $("said").textContent = "The scene of this address.";
   loops.letGo();
   if (page?.look === "run" || page?.look === "live" && loops.held) look(page.look);

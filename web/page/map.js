@@ -57,7 +57,7 @@ export class StabilityMap {
     if (asked !== this.asked || always) {
       this.asked = asked;
       this.limits = null;
-      this.saidPlace.textContent = "";
+      this.saidPlace.textContent = "computing …";
       this.request(x, y);
     }
     this.draw();

@@ -2,7 +2,7 @@
 
 /** Values that need not be written. */
 const DEFAULTS = { velocity: "backward-difference", scalar: "f64", integrator: "exact" };
-const ZERO = ["operator", "device", "initial", "environment.wall"];
+const ZERO = ["operator", "device", "initial"];
 
 /** The value at a dotted key, or undefined. */
 export function value(tree, key) {

@@ -120,17 +120,17 @@ function arrow(c, x, y, lane, colours) {
   const long = (force) => Math.sign(force) * Math.min(150, 34 * Math.sqrt(Math.abs(force)));
   font(c, 12, 600);
   for (const [force, alpha] of [[lane.peak, 0.3], [lane.force, 1]]) {
-    if (Math.abs(force) < 0.005) continue;
+    if (Math.abs(force) < 0.05) continue;
     const end = x - long(force);
     const head = Math.sign(x - end) * Math.min(7, Math.abs(end - x));
     c.globalAlpha = alpha;
     path(c, [[x, y], [end, y], [end + head, y - 4], [end, y], [end + head, y + 4]], colours.ink, 2.4);
   }
   c.globalAlpha = 1;
-  if (Math.abs(lane.peak) < 0.005) return;
+  if (Math.abs(lane.peak) < 0.05) return;
   c.fillStyle = colours.ink;
   c.textAlign = "right";
   const said = `${Math.abs(lane.peak).toFixed(Math.abs(lane.peak) < 10 ? 1 : 0)} N`;
   const [end, room] = [Math.min(x, x - long(lane.peak), x - long(lane.force)) - 6, c.measureText(said).width + 10];
-  c.fillText(said, Math.max(room, end), end < room ? y + 18 : y + 4);
+  c.fillText(said, Math.max(room, end), end < room ? y - 8 : y + 4);
 }

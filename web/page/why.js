@@ -56,7 +56,7 @@ function remedies(place, told, take) {
   const note = document.createElement("p");
   place.append(note);
   if (!told.remedies.length) {
-    note.textContent = told.verdict === "grows" ? "Nothing that was tried helps." : "Nothing needs to: the run does not grow.";
+    note.textContent = { grows: "Nothing that was tried helps.", "too short": "" }[told.verdict] ?? "Nothing needs to: the run does not grow.";
     return;
   }
   note.textContent = "Each by itself; all were run, and none grows.";

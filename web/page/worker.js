@@ -38,10 +38,10 @@ const jobs = {
     engine.bytes("chart", `${x}\n${y}\n${name}\n${scene}`);
     const began = performance.now();
     for (let first = 0; first < count * count; first += BAND) {
-      const cells = engine.bytes("band", "", first, Math.min(BAND, count * count - first)).slice();
-      tell({ first, cells });
       await breath();
       if (!goes()) return;
+      const cells = engine.bytes("band", "", first, Math.min(BAND, count * count - first)).slice();
+      tell({ first, cells });
     }
     tell({ took: performance.now() - began });
     const limits = curve.map((it) => engine.numbers("limits", it)[3]);

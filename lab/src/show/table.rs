@@ -142,7 +142,12 @@ impl Table {
                     thead {
                         tr {
                             @for Heading { text, is_number } in &self.headings {
-                                th class=[is_number.then_some("number")] { (text.trim().replace('\n', " ")) }
+                                th class=[is_number.then_some("number")] {
+                                    @for (index, line) in text.trim().lines().enumerate() {
+                                        @if index > 0 { br; }
+                                        (line)
+                                    }
+                                }
                             }
                         }
                     }

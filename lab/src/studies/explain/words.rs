@@ -101,7 +101,7 @@ impl Explanation {
         let told = |value: Option<f64>| value.map_or("-".to_owned(), |it| found(it).to_string());
         writeln!(
             f,
-            "  groups       K r T / b = {}, K (r T)^2 / m = {}, B r T / m = {}, delay {delay_ticks} {}\n\
+            "  groups       K r T / b = {}, K (r T)^2 / m = {}, B r T / m = {}, delay {delay_ticks} {};\n\
              {:15}K r T / b below 2 is passive, of a plain spring without delay",
             told(krt_over_b),
             told(kr2t2_over_m),

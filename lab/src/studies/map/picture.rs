@@ -48,11 +48,10 @@ pub fn figures(survey: &Survey, bounds: Option<&Bounds>) -> Vec<NamedFigure> {
     });
     let mut drawn = vec![NamedFigure { name: VERDICT, words: VERDICTS, figure: verdicts }];
     for (number, measure) in Measure::ALL.iter().enumerate() {
-        let range = range(survey, number);
-        let of = |index| {
-            let heat = HeatMap::new(survey.size().0, survey.mean(index, number));
-            range.map_or(heat.clone(), |(low, high)| heat.with_range(low, high))
-        };
+        // No cell has some measures, such as the stiffness felt where no contact is long.
+        let Some((low, high)) = range(survey, number) else { continue };
+        let of =
+            |index| HeatMap::new(survey.size().0, survey.mean(index, number)).with_range(low, high);
         let figure = figure(survey, measure.words, &curves, of);
         drawn.push(NamedFigure { name: figure_name(measure), words: measure.words, figure });
     }
