@@ -94,7 +94,7 @@ fn line(guide: &Guide, axes: &Axes) -> Option<(Place, Place)> {
 }
 
 /// Places for a label beside its line, the preferred ones first. Where curves fill the frame, the
-/// label of a horizontal line stands outside, at the line's end.
+/// label of a horizontal line stands outside, at the line's end; where vertical lines stand close, a label stands upright.
 fn sites(direction: Direction, line: (Place, Place), frame: Rect, width: f64) -> Vec<Site> {
     const ALONG: [f64; 7] = [1.0, 0.0, 0.5, 0.75, 0.25, 0.875, 0.125];
     const APART: [f64; 3] = [2.0, 7.0, 12.0];
@@ -124,6 +124,11 @@ fn sites(direction: Direction, line: (Place, Place), frame: Rect, width: f64) ->
         let top = (y - 0.5 * width).min(frame.bottom() - width).max(frame.top);
         let area = Rect::new(frame.right() + 2.0, top, HEIGHT, width);
         sites.push(Site { area, upright: true });
+    }
+    if direction == Direction::Vertical && width <= inner.height {
+        let lefts = [x + 2.0, x - 2.0 - HEIGHT];
+        let areas = lefts.map(|left| Rect::new(left, inner.top, HEIGHT, width));
+        sites.extend(areas.map(|area| Site { area, upright: true }));
     }
     sites
 }

@@ -147,7 +147,7 @@ function update() {
   $("code").hidden = true;
   show(state.tree);
   state.stale = true;
-  map.show(state.tree, names());
+  map.show(state.tree, names(), title);
   const [own] = Object.values(shown().stabilizer ?? {});
   const isTold = state.tree.environment?.wall && !state.tree.space && (!own || own.work === "held" && own.ledger === "plain");
   for (const button of $("lines").children) {

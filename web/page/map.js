@@ -33,11 +33,11 @@ export class StabilityMap {
   }
 
   /** Shows where a scene stands; computes the map again where anything but its two numbers changed. */
-  show(tree, names) {
+  show(tree, names, title) {
     if (names && names.join() !== this.names?.join()) {
       const kept = this.under.value;
       this.names = names;
-      this.under.replaceChildren(...names.map((name) => new Option(name, name)));
+      this.under.replaceChildren(...names.map((name) => new Option(title(name), name)));
       this.under.value = names.includes(kept) ? kept : "none";
     }
     this.tree = tree;
