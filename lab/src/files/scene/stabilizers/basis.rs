@@ -22,7 +22,8 @@ pub(crate) struct Basis {
     pub(crate) limit: Damping,
     /// The device's damping, N·s/m.
     pub(crate) damping: f64,
-    /// The energy that the motion starts with, J: the scale of all energies.
+    /// The energy that the motion starts with, or that the hand's spring has at the start where the hand goes, J: the
+    /// scale of all energies.
     pub(crate) energy: f64,
     /// The speed at which the mass has that energy, m/s.
     pub(crate) speed: f64,
