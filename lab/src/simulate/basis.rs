@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use lyapunov::environments::Time;
+use nalgebra::SVector;
 
+use super::building::Space;
 use super::criterion::Criterion;
 use super::equilibrium::last_pull;
 use super::hand::{farthest, holds_still, strongest_pull};
@@ -37,6 +39,11 @@ impl Basis {
             damper: scene.environment.wall().map(|it| [it.damping.get(), it.position.get()]),
             normal: kind.normal().map_or(Direction::FIRST, Direction::from),
             start,
+            pressed: match scene.dimensions() {
+                2 => pressed::<2>(scene),
+                3 => pressed::<3>(scene),
+                _ => 0.0,
+            },
             scene: Some(Box::new(scene.clone())),
         }
     }
@@ -59,6 +66,7 @@ impl Basis {
             damper: None,
             normal: Direction::FIRST,
             start: [0.0; 2],
+            pressed: 0.0,
             scene: None,
         }
     }
@@ -83,6 +91,18 @@ fn energy(scene: &Draft) -> f64 {
     let settled = settled.filter(|it| !it.equilibria.is_empty()).map(|it| it.start);
     let reach = settled.unwrap_or_else(about_rest);
     0.5 * pull * reach * reach
+}
+
+/// The energy of the solid that the start lies in, J; 0 outside.
+fn pressed<const N: usize>(scene: &Draft) -> f64
+where
+    SVector<f64, N>: Space<Scalar = f64>,
+{
+    let stiffness = scene.environment.surface_stiffness().unwrap_or_default();
+    let depth = SVector::<f64, N>::solid(scene).map_or(0.0, |solid| {
+        solid.nearest(scene.initial.position.vector::<f64, N>()).depth.max(0.0)
+    });
+    0.5 * stiffness * depth * depth
 }
 
 fn surface(scene: &Scene) -> Option<f64> {
@@ -132,5 +152,15 @@ mod tests {
             let thrown = energy_of(hand, &format!("{more}\ninitial.velocity = 2.0"));
             assert_relative_eq!(thrown, wanted + 0.2, max_relative = 1e-12);
         }
+    }
+
+    #[test]
+    fn a_start_in_a_solid_presses_its_spring() {
+        let text = "duration = 1\nservo_rate = 1000\ndevice.mass = 0.1\nspace.dimensions = 2\n\
+            initial.position = [0.003, 0.004]\ninitial.velocity = [0.0, 0.0]\n\
+            environment.sphere = { center = [0.0, 0.0], radius = 0.007, stiffness = 1000.0 }\n";
+        let scene = Scene::parse(text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+        // 5 mm from the middle: 2 mm deep.
+        assert_relative_eq!(Basis::of(&scene).stored(), 0.002, max_relative = 1e-12);
     }
 }
