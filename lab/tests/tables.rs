@@ -91,10 +91,13 @@ fn every_number_of_a_table_changes_the_run() {
         "environment.wall = { position = 0.001,",
         "environment.moving-wall = { amplitude = 0.005, frequency = 3.0, position = -0.005,",
     );
+    // And one into which a pulse presses the hand with much more than the energy of the start.
+    let soft = LOOP.replace("position = -0.04", "position = -0.002").replace("20000.0", "500.0");
+    let pushed = format!("{soft}effects.pulse = {{ start = 0.3, duration = 0.7, force = 5.0 }}\n");
     for name in members() {
         let mut dead: BTreeSet<&str> =
             name.parameters(&scene(LOOP)).iter().map(Parameter::name).collect();
-        for text in [LOOP, &pressed, &swinging] {
+        for text in [LOOP, &pressed, &swinging, &pushed] {
             let base = scene(&tabled(text, name));
             let usual = rows(&base);
             for parameter in name.parameters(&base) {

@@ -99,6 +99,32 @@ fn a_port_that_never_gives_asks_for_nothing() {
     assert!(shown.contains("popc = 9 others"), "{shown}");
 }
 
+/// A log that is cut where a wall of 2 kN/m is pressed by 4 mm, from where it gives `share` of what it stores.
+fn released(share: f64) -> String {
+    let x = |n: u32| 0.004 * (1.0 - f64::from(n) / 200.0);
+    // The mean force over the way to the next row gives exactly the difference of what is stored.
+    let force = |n: u32| share * 2000.0 * 0.5 * (x(n) + x((n + 1).min(200)));
+    csv(&(0..=200).map(|n| (x(n), force(n))).collect::<Vec<_>>())
+}
+
+/// What was stored before the first row is no debt of the port, wherever the scene itself starts.
+#[test]
+fn what_is_stored_on_the_first_row_may_come_out() {
+    let names = "popc-reference,reference-following,popc-budgeted";
+    for row in replayed(&released(0.99), &scene(""), names) {
+        assert_eq!((row.active_ticks, row.shortfall), (0, 0.0), "{row:?}");
+        assert_relative_eq!(row.energy_given, 0.99 * 0.016, max_relative = 1e-9);
+    }
+    for row in replayed(&released(1.01), &scene(""), names) {
+        assert!(row.active_ticks > 0, "{row:?}");
+    }
+    // What is written counts, and who has no budget answers at once.
+    let none = scene("stabilizer.popc-budgeted.budget = 0.0\n");
+    for row in replayed(&released(0.99), &none, "popc,popc-budgeted") {
+        assert!(row.first_at.is_some_and(|at| at < 1.5 * PERIOD), "{row:?}");
+    }
+}
+
 /// In single precision 1e39 N is no number: the tick that reads it has no effort to correct, and the next one no force that was held.
 #[test]
 fn ticks_that_a_stabilizer_cannot_take_are_counted() {

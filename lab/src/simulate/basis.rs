@@ -3,9 +3,12 @@
 use std::f64::consts::TAU;
 
 use lyapunov::environments::Time;
+use nalgebra::SVector;
 
+use super::building::Space;
 use super::criterion::Criterion;
 use super::equilibrium::last_pull;
+use super::hand::{farthest, holds_still, strongest_pull};
 use crate::files::scene::{Basis, Damping, Direction, Draft, Reference, Scene};
 
 impl Basis {
@@ -13,9 +16,7 @@ impl Basis {
         let start = [scene.initial.position.get(), scene.initial.velocity.get()];
         let moving = scene.operator.mass.get() + scene.device.mass.get();
         let kind = scene.environment.kind();
-        let (pull, reach) = (last_pull(scene), reach(scene));
-        let thrown = 0.5 * moving * speed(scene) * speed(scene);
-        let energy = if pull > 0.0 { 0.5 * pull * reach * reach } else { thrown };
+        let (pull, energy) = (last_pull(scene), energy(scene));
         let pace = scene.environment_rate().recip();
         let steepest = kind.steepest();
         Self {
@@ -38,6 +39,11 @@ impl Basis {
             damper: scene.environment.wall().map(|it| [it.damping.get(), it.position.get()]),
             normal: kind.normal().map_or(Direction::FIRST, Direction::from),
             start,
+            pressed: match scene.dimensions() {
+                2 => pressed::<2>(scene),
+                3 => pressed::<3>(scene),
+                _ => 0.0,
+            },
             scene: Some(Box::new(scene.clone())),
         }
     }
@@ -60,6 +66,7 @@ impl Basis {
             damper: None,
             normal: Direction::FIRST,
             start: [0.0; 2],
+            pressed: 0.0,
             scene: None,
         }
     }
@@ -71,17 +78,89 @@ fn speed(scene: &Draft) -> f64 {
     axis(0).hypot(axis(1)).hypot(axis(2))
 }
 
-/// The swing that a run is measured against, m; in several dimensions the swing about the hand's rest.
-fn reach(scene: &Draft) -> f64 {
-    if scene.dimensions() == 1 {
-        return Criterion::of(scene).start;
-    }
-    let away = |axis| scene.initial.position.axis(axis) - scene.operator.rest.axis(axis);
+/// The energy that the motion starts with, J; where the hand's rest or grip changes, or nothing comes to rest, that of the
+/// hand's spring at its stiffest, drawn from the start to the farthest rest, and of the speed.
+fn energy(scene: &Draft) -> f64 {
     let moving = scene.operator.mass.get() + scene.device.mass.get();
-    let frequency = (last_pull(scene) / moving).sqrt();
-    away(0).hypot(away(1)).hypot(away(2)).hypot(speed(scene) / frequency)
+    let (pull, speed) = (strongest_pull(scene), speed(scene));
+    if pull == 0.0 {
+        return 0.5 * moving * speed * speed;
+    }
+    let about_rest = || farthest(scene).hypot(speed / (pull / moving).sqrt());
+    let settled = (scene.dimensions() == 1 && holds_still(scene)).then(|| Criterion::of(scene));
+    let settled = settled.filter(|it| !it.equilibria.is_empty()).map(|it| it.start);
+    let reach = settled.unwrap_or_else(about_rest);
+    0.5 * pull * reach * reach
+}
+
+/// The energy of the solid that the start lies in, J; 0 outside.
+fn pressed<const N: usize>(scene: &Draft) -> f64
+where
+    SVector<f64, N>: Space<Scalar = f64>,
+{
+    let stiffness = scene.environment.surface_stiffness().unwrap_or_default();
+    let depth = SVector::<f64, N>::solid(scene).map_or(0.0, |solid| {
+        solid.nearest(scene.initial.position.vector::<f64, N>()).depth.max(0.0)
+    });
+    0.5 * stiffness * depth * depth
 }
 
 fn surface(scene: &Scene) -> Option<f64> {
     scene.law()?.surface(Time::Seconds(0.0)).map(|surface| surface.position)
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// The energy of 0.1 kg at −0.01 m on 1000 N/m that rests at −0.02 m, before a wall at 0.05 m; `more` adds keys.
+    fn energy_of(hand: &str, more: &str) -> f64 {
+        let text = format!(
+            "duration = 1\nservo_rate = 1000\ndevice.mass = 0.1\ninitial.position = -0.01\n\
+             operator = {{ stiffness = 1000.0, rest = -0.02{hand} }}\n{more}\n"
+        );
+        let wall = "environment.wall = { position = 0.05, stiffness = 1000.0 }";
+        let text = if more.contains("environment") { text } else { format!("{text}{wall}\n") };
+        let scene = Scene::parse(&text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+        Basis::of(&scene).energy
+    }
+
+    #[test]
+    fn a_hand_that_moves_starts_with_the_energy_of_its_spring_drawn_to_the_farthest_rest() {
+        let wave = ", motion = { kind = \"sine\", amplitude = 0.03, frequency = 2.0 }";
+        let ramp = ", motion = { kind = \"ramp\", at = 0.5, to = 1.0, rate = 0.04 }";
+        let grip =
+            ", grip = { times = [0.5, 0.6], stiffness = [2000.0, 0.0], damping = [0.0, 0.0] }";
+        let swinging = "environment.moving-wall = { position = 0.05, stiffness = 1000.0, \
+             amplitude = 0.01, frequency = 2.0 }";
+        for (hand, more, stiffness, reach) in [
+            ("", "", 1000.0, 0.01),
+            (", motion = { kind = \"step\", at = 0.1, to = 0.0 }", "", 1000.0, 0.01),
+            (", motion = { kind = \"step\", at = 0.1, to = 0.03 }", "", 1000.0, 0.04),
+            (", motion = { kind = \"step\", at = 1.1, to = 0.03 }", "", 1000.0, 0.01),
+            (wave, "", 1000.0, 0.04),
+            // From −0.02 m on it comes as far as 0 in half a second.
+            (ramp, "", 1000.0, 0.01),
+            (grip, "", 2000.0, 0.01),
+            ("", swinging, 1000.0, 0.01),
+        ] {
+            let wanted = 0.5 * stiffness * reach * reach;
+            assert_relative_eq!(energy_of(hand, more), wanted, max_relative = 1e-12);
+            // ½ · 0.1 kg · (2 m/s)² more.
+            let thrown = energy_of(hand, &format!("{more}\ninitial.velocity = 2.0"));
+            assert_relative_eq!(thrown, wanted + 0.2, max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_start_in_a_solid_presses_its_spring() {
+        let text = "duration = 1\nservo_rate = 1000\ndevice.mass = 0.1\nspace.dimensions = 2\n\
+            initial.position = [0.003, 0.004]\ninitial.velocity = [0.0, 0.0]\n\
+            environment.sphere = { center = [0.0, 0.0], radius = 0.007, stiffness = 1000.0 }\n";
+        let scene = Scene::parse(text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+        // 5 mm from the middle: 2 mm deep.
+        assert_relative_eq!(Basis::of(&scene).stored(), 0.002, max_relative = 1e-12);
+    }
 }

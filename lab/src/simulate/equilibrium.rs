@@ -149,7 +149,11 @@ pub(crate) fn last_pull(scene: &Draft) -> f64 {
     let operator = &scene.operator;
     let changes = operator.grip.iter().flat_map(|grip| grip.times.iter().zip(&grip.stiffness));
     let mut gone = changes.filter(|(time, _)| scene.tick_of(time.get()) <= scene.ticks());
-    let hand = gone.next_back().map_or(operator.stiffness, |(_, stiffness)| *stiffness).get();
+    pull_of(scene, gone.next_back().map_or(operator.stiffness, |(_, stiffness)| *stiffness).get())
+}
+
+/// Stiffness that pulls the device back while the operator's spring has that of `hand`, N/m.
+pub(super) fn pull_of(scene: &Draft, hand: f64) -> f64 {
     match scene.link {
         Some(link) if hand > 0.0 => (hand.recip() + link.stiffness.get().recip()).recip(),
         _ => hand,

@@ -7,6 +7,7 @@ pub(crate) mod criterion;
 pub(crate) mod ensemble;
 pub(crate) mod equilibrium;
 pub mod family;
+pub(crate) mod hand;
 pub(crate) mod instructions;
 pub(crate) mod load;
 pub(crate) mod models;

@@ -239,4 +239,26 @@ mod tests {
             assert_abs_diff_eq!(tick.environment.y + added.y, tick.command.y, epsilon = 1e-12);
         }
     }
+
+    /// A reference is counted from what was measured first, here half a count away from where the plant is.
+    #[test]
+    fn a_reference_begins_at_the_first_sample() {
+        for initial in [0.00996, 0.01004] {
+            let text = format!(
+                "duration = 1\nservo_rate = 1000\nvelocity = \"exact\"\neffects.encoder.resolution = 1e-4\n\
+                 device = {{ mass = 1, damping = 1 }}\ninitial.position = {initial}\n\
+                 environment.wall.stiffness = 10000\nstabilizer.reference-following = {{}}\n"
+            );
+            let scene = Scene::parse(&text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+            let rows: Vec<Row> = Rollout::<f64>::of(&scene).unwrap().rows().collect();
+            let stored = |x: f64| 0.5 * 10000.0 * x.max(0.0) * x.max(0.0);
+            assert_eq!((rows[0].observed_energy, rows[0].alpha), (0.0, 0.0));
+            let mut work = 0.0;
+            for (before, row) in rows.iter().zip(&rows[1..]) {
+                work += before.f_act * (row.x_measured - before.x_measured);
+                let wanted = work - (stored(row.x_measured) - stored(rows[0].x_measured));
+                assert_abs_diff_eq!(row.observed_energy, wanted, epsilon = 1e-12);
+            }
+        }
+    }
 }

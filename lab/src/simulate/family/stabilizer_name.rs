@@ -105,6 +105,22 @@ impl StabilizerName {
         self.table(scene).map_or_else(Vec::new, |table| table.kind().parameters(&basis))
     }
 
+    /// `scene` with this stabilizer on a motion that starts elsewhere, at `start` m and m/s: of the numbers that are left out
+    /// those are written that follow from what is stored there.
+    ///
+    /// # Errors
+    /// A number that its key does not allow.
+    pub(crate) fn started_in(self, scene: &Scene, start: [f64; 2]) -> Result<Scene, Conflict> {
+        let here = Basis::of(scene);
+        let there = Basis { start, ..here.clone() };
+        let parameters =
+            |on| self.table(scene).map_or_else(Vec::new, |it| it.kind().parameters(on));
+        let pairs = parameters(&here).into_iter().zip(parameters(&there));
+        let moved = pairs.filter(|(here, there)| here.value() != there.value());
+        let numbers: Vec<_> = moved.filter_map(|(_, it)| Some((it.name(), it.default?))).collect();
+        self.written_in(scene, &numbers)
+    }
+
     /// `scene` with this stabilizer, and `numbers` written in its table under keys without their table path.
     ///
     /// # Errors

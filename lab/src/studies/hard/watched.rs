@@ -97,8 +97,8 @@ struct Meter {
     balance: Balance,
     /// The energy that a reference stores, in the scalar of the stabilizer, J.
     stored: Stored,
-    /// The energy stored in the reference on the last tick on which it was finite, J.
-    held: f64,
+    /// The energy stored in the reference on the last tick on which it was finite, J; none before the first.
+    held: Option<f64>,
     /// The same on this tick.
     now: f64,
     epsilon: f64,
@@ -119,10 +119,7 @@ impl Meter {
                 T::smallest_normal().lane(0),
                 terms.pledge.budget,
             ),
-            held: match &terms.pledge.credit {
-                Credit::Reference { reference, start: [x, v] } => stored::<T>(reference, *x, *v),
-                _ => 0.0,
-            },
+            held: None,
             epsilon: T::epsilon().lane(0),
             tiny: T::smallest_normal().lane(0),
             largest: T::largest().lane(0),
@@ -167,7 +164,7 @@ impl Meter {
         if self.terms.pledge.work == Work::Sampled && sight.accepted {
             self.balance.allow(sight.burnt());
         }
-        self.balance.book(&terms[..=stored], self.held);
+        self.balance.book(&terms[..=stored], self.held.unwrap_or_default());
     }
 
     /// The works along an axis that the ledger books, J.
@@ -203,13 +200,14 @@ impl Meter {
                 let period = period.unwrap_or(sight.period);
                 damping * (sight.displacement.inner(&sight.displacement) / period)
             }
-            Credit::Reference { reference, .. } => {
+            Credit::Reference(reference) => {
                 let [x, v] = [&sight.position, &sight.velocity].map(|axes| axes.values[0]);
                 let now = (self.stored)(reference, x, v);
-                let change = self.held - now;
+                // Nothing is known of what was stored before the first tick: that one is where it is counted from.
+                let change = self.held.unwrap_or(now) - now;
                 self.now = now;
                 if now.is_finite() {
-                    self.held = now;
+                    self.held = Some(now);
                 }
                 change
             }

@@ -22,7 +22,8 @@ pub(crate) struct Basis {
     pub(crate) limit: Damping,
     /// The device's damping, N·s/m.
     pub(crate) damping: f64,
-    /// The energy that the motion starts with, J: the scale of all energies.
+    /// The energy that the motion starts with, or that the hand's spring has at the start where the hand goes, J: the
+    /// scale of all energies.
     pub(crate) energy: f64,
     /// The speed at which the mass has that energy, m/s.
     pub(crate) speed: f64,
@@ -48,6 +49,8 @@ pub(crate) struct Basis {
     pub(crate) normal: Direction,
     /// Position and velocity at the start, m and m/s.
     pub(crate) start: [f64; 2],
+    /// The energy of a plane, a sphere or a box that is pressed at the start, J; 0 on a line.
+    pub(crate) pressed: f64,
     /// The scene, for an own stabilizer that looks there; none without one.
     pub(crate) scene: Option<Box<Scene>>,
 }
@@ -56,7 +59,7 @@ impl Basis {
     /// The energy that the environment stores at the start, J; not below 0.
     pub(crate) fn stored(&self) -> f64 {
         let [x, v] = self.start;
-        self.reference.as_ref().map_or(0.0, |it| it.stored::<f64>(x, v)).max(0.0)
+        self.reference.as_ref().map_or(self.pressed, |it| it.stored::<f64>(x, v)).max(0.0)
     }
 
     /// The speed above which a velocity is more than noise, m/s.

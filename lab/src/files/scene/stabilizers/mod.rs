@@ -4,6 +4,7 @@
 //! them, and the promises that it makes. The law itself is in the library only. The table below lists them.
 
 mod basis;
+mod begun;
 mod booking;
 mod directed_damping;
 mod energy_bounding;

@@ -12,8 +12,8 @@ pub(crate) enum Credit {
     /// `b |Δx|² / T`, N·s/m, where the sample spans a time; the period is that of the sample, or one that is taken for
     /// constant, s.
     Moved { damping: f64, period: Option<f64> },
-    /// Decrease of a reference's stored energy since the last tick, starting from a state in m and m/s.
-    Reference { reference: Reference, start: [f64; 2] },
+    /// Decrease of a reference's stored energy since the last tick, from the first one on.
+    Reference(Reference),
 }
 
 /// Kind of ledger that a stabilizer keeps.
@@ -90,8 +90,8 @@ impl Pledge {
 
     /// POPC's pledge with the reference of a loop as credit.
     pub(super) fn on_reference(on: &Basis) -> Self {
-        let credit = |reference| Credit::Reference { reference, start: on.start };
-        Self { credit: on.reference.clone().map_or(Credit::None, credit), ..Self::POPC }
+        let credit = on.reference.clone().map_or(Credit::None, Credit::Reference);
+        Self { credit, ..Self::POPC }
     }
 
     /// The same with each number rounded by `round`, as the scalar of the stabilizer rounds it.
@@ -104,9 +104,7 @@ impl Pledge {
             Credit::Moved { damping, period } => {
                 Credit::Moved { damping: round(damping), period: period.map(&round) }
             }
-            Credit::Reference { reference, start } => {
-                Credit::Reference { reference, start: start.map(&round) }
-            }
+            Credit::Reference(reference) => Credit::Reference(reference),
         };
         Self { credit, budget: round(self.budget), ..self }
     }

@@ -6,6 +6,7 @@ use lyapunov::{
     stabilizers::{ReferenceDamper, ReferenceFollowing as Law},
 };
 
+use super::begun::Begun;
 use super::kind::{Install, OnALine, OnLoops, StabilizerKind};
 use super::table::table;
 use super::{Basis, Pledge, Reference};
@@ -53,8 +54,7 @@ pub(super) fn follow<T: Scalar, R: Install<T>>(
     damper: Option<[T; 2]>,
     to: R,
 ) -> Result<R::Made, ParameterError> {
-    let start = [0, 1].map(|index| on.each(|_, on| on.start[index]));
-    let following = Following { limit, start, damper, to };
+    let following = Following { limit, damper, to };
     let references: Option<Vec<&Reference>> =
         on.pairs().map(|(_, on)| on.reference.as_ref()).collect();
     match references {
@@ -63,25 +63,25 @@ pub(super) fn follow<T: Scalar, R: Install<T>>(
     }
 }
 
-/// Reference of a store and a damper, from a position and a velocity on.
+/// Reference of a store and a damper, from the first sample on.
 struct Following<T: Scalar, R> {
     limit: DampingLimit<T>,
-    start: [T; 2],
     damper: Option<[T; 2]>,
     to: R,
 }
 
 impl<T: Scalar, R: Install<T>> Following<T, R> {
     fn of(self, stored: impl Fn(T, T) -> T + 'static) -> Result<R::Made, ParameterError> {
-        let [x, v] = self.start;
-        let stored = StorageFunction::starting(stored, x, v);
+        let anywhere = T::zero();
+        let stored = StorageFunction::starting(stored, anywhere, anywhere);
         let Some(damper) = self.damper else {
-            return Ok(self.to.behind(Law::new((PortEnergy, stored), self.limit)));
+            return Ok(self.to.behind(Law::new((PortEnergy, Begun::new(stored)), self.limit)));
         };
         let [damping, surface] = damper;
         let depth = move |x: T| (x - surface).larger(T::zero());
-        let damper = ReferenceDamper::starting(damping, depth, x)?;
-        Ok(self.to.behind(Law::new((PortEnergy, (stored, damper)), self.limit)))
+        let damper = ReferenceDamper::starting(damping, depth, anywhere)?;
+        let ideal = Begun::new((stored, damper));
+        Ok(self.to.behind(Law::new((PortEnergy, ideal), self.limit)))
     }
 }
 

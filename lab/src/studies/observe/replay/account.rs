@@ -6,7 +6,8 @@ use lyapunov::PortSample;
 use lyapunov::accumulators::{Accumulator, Compensated};
 
 use super::Replayed;
-use super::entrant::{Answer, Entrant};
+use super::entrant::{self, Answer, Entrant};
+use crate::files::Scene;
 use crate::files::log::Sample;
 use crate::show::envelope::Envelope;
 use crate::simulate::family::StabilizerName;
@@ -14,6 +15,7 @@ use crate::simulate::family::StabilizerName;
 /// Account of one stabilizer, row by row.
 #[derive(Debug)]
 pub(super) struct Account {
+    member: StabilizerName,
     entrant: Entrant,
     told: Replayed,
     /// Corrections that have not acted yet: a force of the scene acts late by as many ticks, and one more.
@@ -31,6 +33,7 @@ impl Account {
     pub(super) fn new(member: StabilizerName, entrant: Entrant, delay: u32) -> Self {
         let zero = Compensated::zero();
         Self {
+            member,
             entrant,
             told: Replayed::of(member.name()),
             pending: std::iter::repeat_n(0.0, delay as usize).collect(),
@@ -39,6 +42,14 @@ impl Account {
             port: zero,
             squares: zero,
             added: Envelope::new(),
+        }
+    }
+
+    /// Begins with the first row: what is stored there is none of what its port gives.
+    pub(super) fn begin(&mut self, scene: &Scene, first: &PortSample<f64>) {
+        let start = [first.position, first.velocity];
+        if let Some(entrant) = entrant::started(self.member, scene, start) {
+            self.entrant = entrant;
         }
     }
 

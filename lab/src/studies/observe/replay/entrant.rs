@@ -91,6 +91,12 @@ pub(super) fn entered(asked: &Asked) -> Result<(Vec<Account>, Vec<Left>), LogErr
     Ok((accounts, left))
 }
 
+/// The stabilizer on a motion that starts at `start` m and m/s, and not where its scene does; none where that makes none.
+pub(super) fn started(member: StabilizerName, scene: &Scene, start: [f64; 2]) -> Option<Entrant> {
+    let scene = member.started_in(scene, start).ok()?;
+    entrant(member, &scene).ok()?
+}
+
 /// The stabilizer; none for a port around the environment.
 fn entrant(
     member: StabilizerName,

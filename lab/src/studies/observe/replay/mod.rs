@@ -44,8 +44,8 @@ pub struct Asked {
 pub(super) struct Replays {
     accounts: Vec<Account>,
     left: Vec<Left>,
-    scene: String,
-    servo_period: f64,
+    /// The scene and its name; none where nobody is asked.
+    scene: Option<(Scene, String)>,
     has_started: bool,
 }
 
@@ -54,18 +54,19 @@ impl Replays {
     pub(super) fn of(asked: Option<&Asked>) -> Result<Self, LogError> {
         let Some(asked) = asked else { return Ok(Self::default()) };
         let (accounts, left) = entrant::entered(asked)?;
-        let (scene, servo_period) = (asked.name.clone(), asked.scene.period());
-        Ok(Self { accounts, left, scene, servo_period, has_started: false })
+        let scene = Some((asked.scene.clone(), asked.name.clone()));
+        Ok(Self { accounts, left, scene, has_started: false })
     }
 
     /// Tells each of them a step; the first one tells the row before it as well.
     pub(super) fn book(&mut self, step: &Step, sample: &PortSample<f64>, median: f64) {
-        if self.accounts.is_empty() {
-            return;
-        }
+        let Some((scene, _)) = &self.scene else { return };
         if !std::mem::replace(&mut self.has_started, true) {
             let first = start(&step.from, median);
-            self.accounts.iter_mut().for_each(|it| it.add(&first, &step.from));
+            self.accounts.iter_mut().for_each(|it| {
+                it.begin(scene, &first);
+                it.add(&first, &step.from);
+            });
         }
         self.accounts.iter_mut().for_each(|it| it.add(sample, &step.to));
     }
@@ -75,15 +76,12 @@ impl Replays {
     /// # Errors
     /// A log whose ticks are not those of the scene.
     pub(super) fn finish(self, name: &str, median: f64) -> Result<Option<Replay>, LogError> {
-        if self.accounts.is_empty() {
-            return Ok(None);
-        }
-        let period = self.servo_period;
+        let Some((scene, called)) = self.scene else { return Ok(None) };
+        let period = scene.period();
         if (median - period).abs() > NEAR * period {
             let [rate, apart, period] = [median.recip(), median, period].map(found);
             let told = format!(
-                "the rows are {apart} s apart, and {} has a servo period of {period} s",
-                self.scene
+                "the rows are {apart} s apart, and {called} has a servo period of {period} s"
             );
             return Err(LogError::about(name, told).with_help(format!(
                 "a stabilizer is set for the ticks it runs at: give the scene the log's, servo_rate = {rate}, or a log \
@@ -91,8 +89,13 @@ impl Replays {
             )));
         }
         let (rows, traces) = self.accounts.into_iter().map(Account::finish).unzip();
-        let (scene, note) = (self.scene, NOTE);
-        Ok(Some(Replay { scene, note, stabilizers: rows, not_replayed: self.left, traces }))
+        Ok(Some(Replay {
+            scene: called,
+            note: NOTE,
+            stabilizers: rows,
+            not_replayed: self.left,
+            traces,
+        }))
     }
 }
 
