@@ -68,45 +68,43 @@ impl<V: Space<Scalar = f64>> Law<V> {
     /// The work over a tick, `∫ f v dt`, J, on the cubic that meets position and velocity at both ends.
     pub(crate) fn work(&self, from: Motion<V>, to: Motion<V>) -> f64 {
         let span = to.time - from.time;
-        let parts = (0..PARTS).flat_map(|index| self.pieces(from, to, index));
-        parts
-            .flat_map(|[start, width]| {
-                POINTS.map(|(place, weight)| (start + width * place, width * weight))
-            })
-            .map(|(share, weight)| {
-                let at = between(from, to, share);
-                self.force(at).scale(weight * span).inner(at.velocity)
-            })
-            .sum()
-    }
-
-    /// Where the pieces of a part of the tick start and how wide they are: one, or two where it crosses the surface.
-    fn pieces(&self, from: Motion<V>, to: Motion<V>, part: u32) -> impl Iterator<Item = [f64; 2]> {
-        let width = f64::from(PARTS).recip();
-        let start = width * f64::from(part);
-        let inside = |share| self.is_inside(between(from, to, share));
-        let crossing = match (inside(start), inside(start + width)) {
-            (Some(first), Some(last)) if first != last => {
-                let [mut low, mut high] = [start, start + width];
-                for _ in 0..HALVINGS {
-                    let middle = 0.5 * (low + high);
-                    if inside(middle) == Some(first) { low = middle } else { high = middle }
-                }
-                Some(high)
+        let is_inside = |share| self.is_inside(between(from, to, share));
+        let mut work = 0.0;
+        for [start, width] in (0..PARTS).flat_map(|part| pieces(part, &is_inside)) {
+            for (place, weight) in POINTS {
+                let at = between(from, to, start + width * place);
+                work += self.force(at).scale(width * weight * span).inner(at.velocity);
             }
-            _ => None,
-        };
-        let first = crossing.map_or(width, |crossing| crossing - start);
-        let second = crossing.map(|crossing| [crossing, start + width - crossing]);
-        [[start, first]].into_iter().chain(second)
+        }
+        work
     }
 
-    /// Whether a motion is beyond the surface; none without one.
-    fn is_inside(&self, at: Motion<V>) -> Option<bool> {
-        let surface = self.force.as_ref()?.surface(Time::Seconds(at.time));
-        let beyond = surface.map(|surface| at.position.sum() > surface.position.sum());
-        beyond.or_else(|| Some(self.solid.as_ref()?.nearest(at.position).depth > 0.0))
+    /// Whether a motion is beyond the surface; never without one.
+    fn is_inside(&self, at: Motion<V>) -> bool {
+        let of_wall = self.force.as_ref().and_then(|law| law.surface(Time::Seconds(at.time)));
+        match (of_wall, &self.solid) {
+            (Some(surface), _) => at.position.sum() > surface.position.sum(),
+            (None, Some(solid)) => solid.nearest(at.position).depth > 0.0,
+            (None, None) => false,
+        }
     }
+}
+
+/// Where the pieces of a part of a tick start and how wide they are: one, or two where it crosses the surface.
+fn pieces(part: u32, is_inside: &dyn Fn(f64) -> bool) -> impl Iterator<Item = [f64; 2]> {
+    let width = f64::from(PARTS).recip();
+    let start = width * f64::from(part);
+    let [mut low, mut high] = [start, start + width];
+    let first = is_inside(low);
+    let is_crossed = first != is_inside(high);
+    if is_crossed {
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if is_inside(middle) == first { low = middle } else { high = middle }
+        }
+    }
+    let second = is_crossed.then_some([high, start + width - high]);
+    [[start, high - start]].into_iter().chain(second)
 }
 
 /// The motion on Hermite's cubic at a share of the way.
