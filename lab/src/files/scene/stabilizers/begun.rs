@@ -33,6 +33,7 @@ impl<V: Signal, C: LyapunovCandidate<V>> LyapunovCandidate<V> for Begun<C, V::Sc
 
 #[cfg(test)]
 mod tests {
+    use lyapunov::lanes::AutoF64x8;
     use lyapunov::{HeldTick, StorageFunction};
 
     use super::*;
@@ -49,5 +50,25 @@ mod tests {
         };
         assert!(begun.decrease(&at(f64::NAN)).is_nan());
         assert_eq!([3.0, 2.0, 3.0].map(|x| begun.decrease(&at(x))), [0.0, 5.0, -5.0]);
+    }
+
+    /// Every other lane misses the first sample, and begins with the second.
+    #[test]
+    fn each_lane_begins_at_a_first_sample_of_its_own() {
+        type Lanes = AutoF64x8;
+        let zero = Lanes::of(0.0);
+        let stored = StorageFunction::starting(|x: Lanes, _| x * x, zero, zero);
+        let mut begun = Begun::new(stored);
+        let mut decrease = |first: f64, second: f64| {
+            let position = Lanes::from_lanes(|lane| [first, second][lane % 2]);
+            let (period, velocity, displacement) = (Lanes::of(1.0), zero, zero);
+            let still = HeldTick { period, position, velocity, displacement, applied: zero };
+            let decrease: Lanes = begun.decrease(&still.sample());
+            [0, 1, 6, 7].map(|lane| decrease.lane(lane))
+        };
+        let [even, odd, ..] = decrease(3.0, f64::NAN);
+        assert!(even == 0.0 && odd.is_nan());
+        assert_eq!(decrease(2.0, 5.0), [5.0, 0.0, 5.0, 0.0]);
+        assert_eq!(decrease(3.0, 4.0), [-5.0, 9.0, -5.0, 9.0]);
     }
 }
