@@ -66,6 +66,30 @@ compiles_without_a_warning() {
     done
 }
 
+refused_to_compile() { # compiler, cases in the words of the classes' test, flags
+    local compiler=$1 case
+    for case in $2; do
+        if $compiler -std=c++17 -Iinclude "${@:3}" -DREFUSED="$case" -fsyntax-only tests/c/classes.cpp 2>"$out/refused.log"; then
+            echo "tests/c/classes.cpp compiles with REFUSED=$case, and numbers that are not the vector's are read"
+            return 1
+        fi
+        grep -qE 'numbers one after another|numbers of a matrix have no order' "$out/refused.log" || { cat "$out/refused.log"; return 1; }
+    done
+}
+
+classes() { # what they take and answer, and what must not compile
+    local compiler eigen=(-DWITH_EIGEN -isystem /usr/include/eigen3)
+    [ -d /usr/include/eigen3 ] || { skipped "classes with Eigen's vectors: Eigen is not here"; eigen=(); }
+    for compiler in g++ clang++; do
+        have $compiler || { skipped "classes with $compiler: it is not here"; continue; }
+        $compiler -std=c++17 -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude "${eigen[@]}" \
+            tests/c/classes.cpp "$library" -lm -o "$out/classes"
+        "$out/classes"
+        refused_to_compile $compiler "1 2 3"
+        [ ${#eigen[@]} -eq 0 ] || refused_to_compile $compiler "4 5 6 7" "${eigen[@]}"
+    done
+}
+
 shares() { # of a shared library, what it exports
     nm -D --defined-only "$1" | awk '$2 == "T" && $3 ~ /^lyapunov_/ { print $3 }' | sort
 }
@@ -210,6 +234,8 @@ else
 fi
 step "installed, and found again"
 installs
+step "classes"
+classes
 step "hard inputs"
 for compiler in gcc clang; do
     have $compiler || { skipped "hard inputs with $compiler: it is not here"; continue; }

@@ -2,7 +2,10 @@
 //
 // A header around lyapunov.h: value types, without exceptions, allocation or virtual functions. Names are those of the
 // library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
-// View of them: an array, std::array, a signal, or an Eigen vector.
+// View of them: an array, std::array, a signal, or an Eigen vector whose numbers lie one after another, as those of a row or
+// a diagonal do not: copy these into a vector. A method with a result has no code to tell: of a block that init has not seen,
+// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, and steps and
+// readings what `accepted` 0 says.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #ifndef LYAPUNOV_HPP
@@ -83,13 +86,17 @@ public:
     // A twist or wrench is three numbers of translation and three of rotation, one after another.
     template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>
     View(const Screw<T> &screw) noexcept : numbers_(reinterpret_cast<const T *>(&screw)) {}
-    // Whatever has its size in its type as Eigen has it, and data() of its own: a vector, not an expression.
+    // Whatever has its size and stride in its type as Eigen has them, and data() of its own: a vector, not an expression.
     template <class Vector, std::size_t Size = static_cast<std::size_t>(Vector::SizeAtCompileTime),
               class = decltype(std::declval<const Vector &>().data())>
     View(const Vector &vector) noexcept : numbers_(vector.data())
     {
         static_assert(Size == N, "a vector with as many numbers as the signal");
         static_assert(std::is_same<typename Vector::Scalar, T>::value, "a vector of the signal's number");
+        static_assert(bool(Vector::IsVectorAtCompileTime), "a vector: the numbers of a matrix have no order");
+        // From data() on N numbers are read: of a row or a diagonal they would be others than its own.
+        static_assert(static_cast<int>(Vector::InnerStrideAtCompileTime) == 1,
+                      "numbers one after another: copy a row, a diagonal or what has a stride into a vector first");
     }
     const T *data() const noexcept { return numbers_; }
     static constexpr std::size_t size() noexcept { return N; }
@@ -111,6 +118,12 @@ template <class Form, class T, std::size_t N> Form form(View<T, N> view) noexcep
     return form;
 }
 
+// The candidate of a call: an object itself, which may remember, or a pointer to an ordinary function, which has no address
+// that a context can be.
+template <class Function>
+using Candidate = std::conditional_t<std::is_function<std::remove_reference_t<Function>>::value, std::decay_t<Function>,
+                                     std::remove_reference_t<Function> &>;
+
 template <class Function> void *address(Function &function) noexcept
 {
     return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
@@ -119,6 +132,14 @@ template <class Function> void *address(Function &function) noexcept
 template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
 {
     return (*static_cast<Function *>(function))(*sample);
+}
+
+// What stays where a call that does nothing writes nothing: NaN in each number, and a memory that restore refuses.
+template <class Answer> Answer unanswered() noexcept
+{
+    Answer answer;
+    std::memset(&answer, 0xff, sizeof answer);
+    return answer;
 }
 
 template <class Signal> struct of;
@@ -214,13 +235,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32_memory save() const noexcept { lyapunov_readings_f32_memory memory{}; lyapunov_readings_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32_memory>(); lyapunov_readings_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32_memory &memory) noexcept { return Status(lyapunov_readings_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_f32_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_f32_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -238,13 +259,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64_memory save() const noexcept { lyapunov_readings_f64_memory memory{}; lyapunov_readings_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64_memory>(); lyapunov_readings_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64_memory &memory) noexcept { return Status(lyapunov_readings_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_f64_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_f64_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -262,13 +283,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32x3_memory save() const noexcept { lyapunov_readings_f32x3_memory memory{}; lyapunov_readings_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x3_memory>(); lyapunov_readings_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -286,13 +307,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64x3_memory save() const noexcept { lyapunov_readings_f64x3_memory memory{}; lyapunov_readings_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x3_memory>(); lyapunov_readings_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -310,13 +331,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32x6_memory save() const noexcept { lyapunov_readings_f32x6_memory memory{}; lyapunov_readings_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x6_memory>(); lyapunov_readings_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -334,13 +355,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64x6_memory save() const noexcept { lyapunov_readings_f64x6_memory memory{}; lyapunov_readings_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x6_memory>(); lyapunov_readings_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -358,13 +379,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32screw_memory save() const noexcept { lyapunov_readings_f32screw_memory memory{}; lyapunov_readings_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32screw_memory>(); lyapunov_readings_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32screw read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_f32screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_f32screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -382,13 +403,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64screw_memory save() const noexcept { lyapunov_readings_f64screw_memory memory{}; lyapunov_readings_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64screw_memory>(); lyapunov_readings_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64screw read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_f64screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_f64screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -409,13 +430,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32_memory save() const noexcept { lyapunov_readings_measured_f32_memory memory{}; lyapunov_readings_measured_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32_memory>(); lyapunov_readings_measured_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read_moving(float position, float velocity, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_f32_read_moving(&storage, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read_moving(float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_f32_read_moving(&storage, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed_moving(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_f32_missed_moving(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed_moving(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_f32_missed_moving(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -433,13 +454,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64_memory save() const noexcept { lyapunov_readings_measured_f64_memory memory{}; lyapunov_readings_measured_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64_memory>(); lyapunov_readings_measured_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read_moving(double position, double velocity, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_f64_read_moving(&storage, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read_moving(double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_f64_read_moving(&storage, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed_moving(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_f64_missed_moving(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed_moving(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_f64_missed_moving(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -457,13 +478,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32x3_memory save() const noexcept { lyapunov_readings_measured_f32x3_memory memory{}; lyapunov_readings_measured_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x3_memory>(); lyapunov_readings_measured_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read_moving(View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_f32x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read_moving(View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_f32x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed_moving(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_f32x3_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed_moving(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_f32x3_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -481,13 +502,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64x3_memory save() const noexcept { lyapunov_readings_measured_f64x3_memory memory{}; lyapunov_readings_measured_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x3_memory>(); lyapunov_readings_measured_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read_moving(View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_f64x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read_moving(View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_f64x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed_moving(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_f64x3_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed_moving(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_f64x3_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -505,13 +526,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32x6_memory save() const noexcept { lyapunov_readings_measured_f32x6_memory memory{}; lyapunov_readings_measured_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x6_memory>(); lyapunov_readings_measured_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_f32x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_f32x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_f32x6_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_f32x6_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -529,13 +550,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64x6_memory save() const noexcept { lyapunov_readings_measured_f64x6_memory memory{}; lyapunov_readings_measured_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x6_memory>(); lyapunov_readings_measured_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_f64x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_f64x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_f64x6_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_f64x6_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -553,13 +574,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32screw_memory save() const noexcept { lyapunov_readings_measured_f32screw_memory memory{}; lyapunov_readings_measured_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32screw_memory>(); lyapunov_readings_measured_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32screw read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_measured_f32screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_measured_f32screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -577,13 +598,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64screw_memory save() const noexcept { lyapunov_readings_measured_f64screw_memory memory{}; lyapunov_readings_measured_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64screw_memory>(); lyapunov_readings_measured_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64screw read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_measured_f64screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_measured_f64screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -604,13 +625,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32_memory save() const noexcept { lyapunov_readings_low_passed_f32_memory memory{}; lyapunov_readings_low_passed_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32_memory>(); lyapunov_readings_low_passed_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f32_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_low_passed_f32_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_low_passed_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_low_passed_f32_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_low_passed_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -628,13 +649,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64_memory save() const noexcept { lyapunov_readings_low_passed_f64_memory memory{}; lyapunov_readings_low_passed_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64_memory>(); lyapunov_readings_low_passed_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f64_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_low_passed_f64_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_low_passed_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_low_passed_f64_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_low_passed_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -652,13 +673,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32x3_memory save() const noexcept { lyapunov_readings_low_passed_f32x3_memory memory{}; lyapunov_readings_low_passed_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x3_memory>(); lyapunov_readings_low_passed_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_low_passed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_low_passed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_low_passed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_low_passed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -676,13 +697,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64x3_memory save() const noexcept { lyapunov_readings_low_passed_f64x3_memory memory{}; lyapunov_readings_low_passed_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x3_memory>(); lyapunov_readings_low_passed_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_low_passed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_low_passed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_low_passed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_low_passed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -700,13 +721,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32x6_memory save() const noexcept { lyapunov_readings_low_passed_f32x6_memory memory{}; lyapunov_readings_low_passed_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x6_memory>(); lyapunov_readings_low_passed_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_low_passed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_low_passed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_low_passed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_low_passed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -724,13 +745,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64x6_memory save() const noexcept { lyapunov_readings_low_passed_f64x6_memory memory{}; lyapunov_readings_low_passed_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x6_memory>(); lyapunov_readings_low_passed_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_low_passed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_low_passed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_low_passed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_low_passed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -751,13 +772,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32_memory save() const noexcept { lyapunov_readings_windowed_f32_memory memory{}; lyapunov_readings_windowed_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32_memory>(); lyapunov_readings_windowed_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f32_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_windowed_f32_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_windowed_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_windowed_f32_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_windowed_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -775,13 +796,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64_memory save() const noexcept { lyapunov_readings_windowed_f64_memory memory{}; lyapunov_readings_windowed_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64_memory>(); lyapunov_readings_windowed_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f64_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_windowed_f64_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_windowed_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_windowed_f64_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_windowed_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -799,13 +820,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32x3_memory save() const noexcept { lyapunov_readings_windowed_f32x3_memory memory{}; lyapunov_readings_windowed_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x3_memory>(); lyapunov_readings_windowed_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_windowed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_windowed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_windowed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_windowed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -823,13 +844,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64x3_memory save() const noexcept { lyapunov_readings_windowed_f64x3_memory memory{}; lyapunov_readings_windowed_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x3_memory>(); lyapunov_readings_windowed_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_windowed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_windowed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_windowed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_windowed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -847,13 +868,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32x6_memory save() const noexcept { lyapunov_readings_windowed_f32x6_memory memory{}; lyapunov_readings_windowed_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x6_memory>(); lyapunov_readings_windowed_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_windowed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_windowed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_windowed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_windowed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -871,13 +892,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64x6_memory save() const noexcept { lyapunov_readings_windowed_f64x6_memory memory{}; lyapunov_readings_windowed_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x6_memory>(); lyapunov_readings_windowed_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_windowed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_windowed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_windowed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_windowed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -898,13 +919,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32_memory save() const noexcept { lyapunov_readings_clocked_f32_memory memory{}; lyapunov_readings_clocked_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32_memory>(); lyapunov_readings_clocked_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32 read_at(double now, float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_clocked_f32_read_at(&storage, now, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read_at(double now, float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_clocked_f32_read_at(&storage, now, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32 missed_at(double now, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_clocked_f32_missed_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed_at(double now, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_clocked_f32_missed_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -922,13 +943,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64_memory save() const noexcept { lyapunov_readings_clocked_f64_memory memory{}; lyapunov_readings_clocked_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64_memory>(); lyapunov_readings_clocked_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64 read_at(double now, double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_clocked_f64_read_at(&storage, now, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read_at(double now, double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_clocked_f64_read_at(&storage, now, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64 missed_at(double now, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_clocked_f64_missed_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed_at(double now, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_clocked_f64_missed_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -946,13 +967,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32x3_memory save() const noexcept { lyapunov_readings_clocked_f32x3_memory memory{}; lyapunov_readings_clocked_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x3_memory>(); lyapunov_readings_clocked_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x3 read_at(double now, View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_clocked_f32x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read_at(double now, View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_clocked_f32x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x3 missed_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_clocked_f32x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_clocked_f32x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -970,13 +991,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64x3_memory save() const noexcept { lyapunov_readings_clocked_f64x3_memory memory{}; lyapunov_readings_clocked_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x3_memory>(); lyapunov_readings_clocked_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x3 read_at(double now, View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_clocked_f64x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read_at(double now, View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_clocked_f64x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x3 missed_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_clocked_f64x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_clocked_f64x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -994,13 +1015,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32x6_memory save() const noexcept { lyapunov_readings_clocked_f32x6_memory memory{}; lyapunov_readings_clocked_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x6_memory>(); lyapunov_readings_clocked_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x6 read_at(double now, View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_clocked_f32x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read_at(double now, View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_clocked_f32x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x6 missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_clocked_f32x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_clocked_f32x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1018,13 +1039,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64x6_memory save() const noexcept { lyapunov_readings_clocked_f64x6_memory memory{}; lyapunov_readings_clocked_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x6_memory>(); lyapunov_readings_clocked_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x6 read_at(double now, View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_clocked_f64x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read_at(double now, View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_clocked_f64x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x6 missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_clocked_f64x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_clocked_f64x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1045,13 +1066,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32_memory save() const noexcept { lyapunov_readings_measured_clocked_f32_memory memory{}; lyapunov_readings_measured_clocked_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32_memory>(); lyapunov_readings_measured_clocked_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32 read_moving_at(double now, float position, float velocity, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_clocked_f32_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read_moving_at(double now, float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_clocked_f32_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32 missed_moving_at(double now, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_clocked_f32_missed_moving_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed_moving_at(double now, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_clocked_f32_missed_moving_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1069,13 +1090,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64_memory save() const noexcept { lyapunov_readings_measured_clocked_f64_memory memory{}; lyapunov_readings_measured_clocked_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64_memory>(); lyapunov_readings_measured_clocked_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64 read_moving_at(double now, double position, double velocity, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_clocked_f64_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read_moving_at(double now, double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_clocked_f64_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64 missed_moving_at(double now, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_clocked_f64_missed_moving_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed_moving_at(double now, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_clocked_f64_missed_moving_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1093,13 +1114,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32x3_memory save() const noexcept { lyapunov_readings_measured_clocked_f32x3_memory memory{}; lyapunov_readings_measured_clocked_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x3_memory>(); lyapunov_readings_measured_clocked_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x3 read_moving_at(double now, View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_clocked_f32x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read_moving_at(double now, View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_clocked_f32x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x3 missed_moving_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_clocked_f32x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed_moving_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_clocked_f32x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1117,13 +1138,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64x3_memory save() const noexcept { lyapunov_readings_measured_clocked_f64x3_memory memory{}; lyapunov_readings_measured_clocked_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x3_memory>(); lyapunov_readings_measured_clocked_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x3 read_moving_at(double now, View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_clocked_f64x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read_moving_at(double now, View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_clocked_f64x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x3 missed_moving_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_clocked_f64x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed_moving_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_clocked_f64x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1141,13 +1162,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32x6_memory save() const noexcept { lyapunov_readings_measured_clocked_f32x6_memory memory{}; lyapunov_readings_measured_clocked_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x6_memory>(); lyapunov_readings_measured_clocked_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x6 read_moving_at(double now, View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_clocked_f32x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read_moving_at(double now, View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_clocked_f32x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x6 missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_clocked_f32x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_clocked_f32x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1165,13 +1186,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64x6_memory save() const noexcept { lyapunov_readings_measured_clocked_f64x6_memory memory{}; lyapunov_readings_measured_clocked_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x6_memory>(); lyapunov_readings_measured_clocked_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x6 read_moving_at(double now, View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_clocked_f64x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read_moving_at(double now, View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_clocked_f64x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x6 missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_clocked_f64x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_clocked_f64x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1192,13 +1213,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_f32screw_memory memory{}; lyapunov_readings_of_poses_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f32screw_memory>(); lyapunov_readings_of_poses_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1216,13 +1237,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_f64screw_memory memory{}; lyapunov_readings_of_poses_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f64screw_memory>(); lyapunov_readings_of_poses_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1243,13 +1264,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_f32screw_memory memory{}; lyapunov_readings_of_poses_measured_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f32screw_memory>(); lyapunov_readings_of_poses_measured_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read_moving(const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_f32screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_moving(const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_f32screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1267,13 +1288,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_f64screw_memory memory{}; lyapunov_readings_of_poses_measured_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f64screw_memory>(); lyapunov_readings_of_poses_measured_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read_moving(const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_f64screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_moving(const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_f64screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1294,13 +1315,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_low_passed_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_low_passed_f32screw_memory memory{}; lyapunov_readings_of_poses_low_passed_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_low_passed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f32screw_memory>(); lyapunov_readings_of_poses_low_passed_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_low_passed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_low_passed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_low_passed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_low_passed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_low_passed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1318,13 +1339,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_low_passed_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_low_passed_f64screw_memory memory{}; lyapunov_readings_of_poses_low_passed_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_low_passed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f64screw_memory>(); lyapunov_readings_of_poses_low_passed_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_low_passed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_low_passed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_low_passed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_low_passed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_low_passed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1345,13 +1366,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_windowed_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_windowed_f32screw_memory memory{}; lyapunov_readings_of_poses_windowed_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_windowed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f32screw_memory>(); lyapunov_readings_of_poses_windowed_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_windowed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_windowed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_windowed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_windowed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_windowed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1369,13 +1390,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_windowed_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_windowed_f64screw_memory memory{}; lyapunov_readings_of_poses_windowed_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_windowed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f64screw_memory>(); lyapunov_readings_of_poses_windowed_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_windowed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_windowed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_windowed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_windowed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_windowed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1396,13 +1417,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_clocked_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_clocked_f32screw_memory memory{}; lyapunov_readings_of_poses_clocked_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f32screw_memory>(); lyapunov_readings_of_poses_clocked_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32screw read_at(double now, const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_clocked_f32screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_at(double now, const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_clocked_f32screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32screw missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_clocked_f32screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_clocked_f32screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1420,13 +1441,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_clocked_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_clocked_f64screw_memory memory{}; lyapunov_readings_of_poses_clocked_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f64screw_memory>(); lyapunov_readings_of_poses_clocked_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64screw read_at(double now, const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_clocked_f64screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_at(double now, const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_clocked_f64screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64screw missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_clocked_f64screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_clocked_f64screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1447,13 +1468,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_clocked_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_clocked_f32screw_memory memory{}; lyapunov_readings_of_poses_measured_clocked_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f32screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32screw read_moving_at(double now, const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_moving_at(double now, const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32screw missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_clocked_f32screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_clocked_f32screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1471,13 +1492,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_clocked_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_clocked_f64screw_memory memory{}; lyapunov_readings_of_poses_measured_clocked_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f64screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64screw read_moving_at(double now, const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_moving_at(double now, const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64screw missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_clocked_f64screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_clocked_f64screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1498,11 +1519,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32_memory save() const noexcept { lyapunov_popc_f32_memory memory{}; lyapunov_popc_f32_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32_memory>(); lyapunov_popc_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32_memory &memory) noexcept { return Status(lyapunov_popc_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_popc_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_popc_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1526,11 +1547,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64_memory save() const noexcept { lyapunov_popc_f64_memory memory{}; lyapunov_popc_f64_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64_memory>(); lyapunov_popc_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64_memory &memory) noexcept { return Status(lyapunov_popc_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_popc_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_popc_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1554,11 +1575,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32x3_memory save() const noexcept { lyapunov_popc_f32x3_memory memory{}; lyapunov_popc_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x3_memory>(); lyapunov_popc_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32x3_memory &memory) noexcept { return Status(lyapunov_popc_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_popc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_popc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1582,11 +1603,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64x3_memory save() const noexcept { lyapunov_popc_f64x3_memory memory{}; lyapunov_popc_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x3_memory>(); lyapunov_popc_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64x3_memory &memory) noexcept { return Status(lyapunov_popc_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_popc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_popc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1610,11 +1631,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32x6_memory save() const noexcept { lyapunov_popc_f32x6_memory memory{}; lyapunov_popc_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x6_memory>(); lyapunov_popc_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32x6_memory &memory) noexcept { return Status(lyapunov_popc_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_popc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_popc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1638,11 +1659,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64x6_memory save() const noexcept { lyapunov_popc_f64x6_memory memory{}; lyapunov_popc_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x6_memory>(); lyapunov_popc_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64x6_memory &memory) noexcept { return Status(lyapunov_popc_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_popc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_popc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1666,11 +1687,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32screw_memory save() const noexcept { lyapunov_popc_f32screw_memory memory{}; lyapunov_popc_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32screw_memory>(); lyapunov_popc_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32screw_memory &memory) noexcept { return Status(lyapunov_popc_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_popc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_popc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1694,11 +1715,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64screw_memory save() const noexcept { lyapunov_popc_f64screw_memory memory{}; lyapunov_popc_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64screw_memory>(); lyapunov_popc_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64screw_memory &memory) noexcept { return Status(lyapunov_popc_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_popc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_popc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1725,11 +1746,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32_memory save() const noexcept { lyapunov_lolc_f32_memory memory{}; lyapunov_lolc_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32_memory>(); lyapunov_lolc_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32_memory &memory) noexcept { return Status(lyapunov_lolc_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1753,11 +1774,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64_memory save() const noexcept { lyapunov_lolc_f64_memory memory{}; lyapunov_lolc_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64_memory>(); lyapunov_lolc_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64_memory &memory) noexcept { return Status(lyapunov_lolc_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1781,11 +1802,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32x3_memory save() const noexcept { lyapunov_lolc_f32x3_memory memory{}; lyapunov_lolc_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x3_memory>(); lyapunov_lolc_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1809,11 +1830,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64x3_memory save() const noexcept { lyapunov_lolc_f64x3_memory memory{}; lyapunov_lolc_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x3_memory>(); lyapunov_lolc_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1837,11 +1858,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32x6_memory save() const noexcept { lyapunov_lolc_f32x6_memory memory{}; lyapunov_lolc_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x6_memory>(); lyapunov_lolc_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1865,11 +1886,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64x6_memory save() const noexcept { lyapunov_lolc_f64x6_memory memory{}; lyapunov_lolc_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x6_memory>(); lyapunov_lolc_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1893,11 +1914,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32screw_memory save() const noexcept { lyapunov_lolc_f32screw_memory memory{}; lyapunov_lolc_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32screw_memory>(); lyapunov_lolc_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1921,11 +1942,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64screw_memory save() const noexcept { lyapunov_lolc_f64screw_memory memory{}; lyapunov_lolc_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64screw_memory>(); lyapunov_lolc_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1952,12 +1973,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32_memory save() const noexcept { lyapunov_lolc_custom_f32_memory memory{}; lyapunov_lolc_custom_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32_memory>(); lyapunov_lolc_custom_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_custom_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_custom_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1981,12 +2002,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64_memory save() const noexcept { lyapunov_lolc_custom_f64_memory memory{}; lyapunov_lolc_custom_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64_memory>(); lyapunov_lolc_custom_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_custom_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_custom_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2010,12 +2031,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32x3_memory save() const noexcept { lyapunov_lolc_custom_f32x3_memory memory{}; lyapunov_lolc_custom_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x3_memory>(); lyapunov_lolc_custom_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x3_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_custom_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_custom_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2039,12 +2060,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64x3_memory save() const noexcept { lyapunov_lolc_custom_f64x3_memory memory{}; lyapunov_lolc_custom_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x3_memory>(); lyapunov_lolc_custom_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x3_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_custom_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_custom_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2068,12 +2089,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32x6_memory save() const noexcept { lyapunov_lolc_custom_f32x6_memory memory{}; lyapunov_lolc_custom_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x6_memory>(); lyapunov_lolc_custom_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x6_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_custom_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_custom_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2097,12 +2118,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64x6_memory save() const noexcept { lyapunov_lolc_custom_f64x6_memory memory{}; lyapunov_lolc_custom_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x6_memory>(); lyapunov_lolc_custom_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x6_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_custom_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_custom_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2126,12 +2147,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32screw_memory save() const noexcept { lyapunov_lolc_custom_f32screw_memory memory{}; lyapunov_lolc_custom_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32screw_memory>(); lyapunov_lolc_custom_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32screw_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_custom_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_custom_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2155,12 +2176,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64screw_memory save() const noexcept { lyapunov_lolc_custom_f64screw_memory memory{}; lyapunov_lolc_custom_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64screw_memory>(); lyapunov_lolc_custom_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64screw_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_custom_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_custom_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2187,12 +2208,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32_memory save() const noexcept { lyapunov_lolc_storage_f32_memory memory{}; lyapunov_lolc_storage_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32_memory>(); lyapunov_lolc_storage_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_storage_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_storage_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2216,12 +2237,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64_memory save() const noexcept { lyapunov_lolc_storage_f64_memory memory{}; lyapunov_lolc_storage_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64_memory>(); lyapunov_lolc_storage_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_storage_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_storage_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2245,12 +2266,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32x3_memory save() const noexcept { lyapunov_lolc_storage_f32x3_memory memory{}; lyapunov_lolc_storage_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x3_memory>(); lyapunov_lolc_storage_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x3_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_storage_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_storage_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2274,12 +2295,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64x3_memory save() const noexcept { lyapunov_lolc_storage_f64x3_memory memory{}; lyapunov_lolc_storage_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x3_memory>(); lyapunov_lolc_storage_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x3_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_storage_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_storage_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2303,12 +2324,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32x6_memory save() const noexcept { lyapunov_lolc_storage_f32x6_memory memory{}; lyapunov_lolc_storage_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x6_memory>(); lyapunov_lolc_storage_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x6_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_storage_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_storage_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2332,12 +2353,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64x6_memory save() const noexcept { lyapunov_lolc_storage_f64x6_memory memory{}; lyapunov_lolc_storage_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x6_memory>(); lyapunov_lolc_storage_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x6_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_storage_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_storage_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2361,12 +2382,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32screw_memory save() const noexcept { lyapunov_lolc_storage_f32screw_memory memory{}; lyapunov_lolc_storage_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32screw_memory>(); lyapunov_lolc_storage_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32screw_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_storage_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_storage_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2390,12 +2411,12 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64screw_memory save() const noexcept { lyapunov_lolc_storage_f64screw_memory memory{}; lyapunov_lolc_storage_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64screw_memory>(); lyapunov_lolc_storage_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64screw_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_storage_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_storage_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2422,11 +2443,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_in_contact_f32_memory save() const noexcept { lyapunov_lolc_in_contact_f32_memory memory{}; lyapunov_lolc_in_contact_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_in_contact_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f32_memory>(); lyapunov_lolc_in_contact_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_in_contact_f32_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_in_contact_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_in_contact_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_in_contact_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2450,11 +2471,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_in_contact_f64_memory save() const noexcept { lyapunov_lolc_in_contact_f64_memory memory{}; lyapunov_lolc_in_contact_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_in_contact_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f64_memory>(); lyapunov_lolc_in_contact_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_in_contact_f64_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_in_contact_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_in_contact_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_in_contact_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2481,11 +2502,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32_memory save() const noexcept { lyapunov_lolc_sampled_f32_memory memory{}; lyapunov_lolc_sampled_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32_memory>(); lyapunov_lolc_sampled_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_sampled_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_sampled_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2509,11 +2530,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64_memory save() const noexcept { lyapunov_lolc_sampled_f64_memory memory{}; lyapunov_lolc_sampled_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64_memory>(); lyapunov_lolc_sampled_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_sampled_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_sampled_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2537,11 +2558,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32x3_memory save() const noexcept { lyapunov_lolc_sampled_f32x3_memory memory{}; lyapunov_lolc_sampled_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x3_memory>(); lyapunov_lolc_sampled_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_sampled_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_sampled_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2565,11 +2586,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64x3_memory save() const noexcept { lyapunov_lolc_sampled_f64x3_memory memory{}; lyapunov_lolc_sampled_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x3_memory>(); lyapunov_lolc_sampled_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_sampled_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_sampled_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2593,11 +2614,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32x6_memory save() const noexcept { lyapunov_lolc_sampled_f32x6_memory memory{}; lyapunov_lolc_sampled_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x6_memory>(); lyapunov_lolc_sampled_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_sampled_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_sampled_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2621,11 +2642,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64x6_memory save() const noexcept { lyapunov_lolc_sampled_f64x6_memory memory{}; lyapunov_lolc_sampled_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x6_memory>(); lyapunov_lolc_sampled_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_sampled_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_sampled_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2649,11 +2670,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32screw_memory save() const noexcept { lyapunov_lolc_sampled_f32screw_memory memory{}; lyapunov_lolc_sampled_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32screw_memory>(); lyapunov_lolc_sampled_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_sampled_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_sampled_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2677,11 +2698,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64screw_memory save() const noexcept { lyapunov_lolc_sampled_f64screw_memory memory{}; lyapunov_lolc_sampled_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64screw_memory>(); lyapunov_lolc_sampled_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_sampled_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_sampled_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2708,11 +2729,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32_memory save() const noexcept { lyapunov_lolc_compensated_f32_memory memory{}; lyapunov_lolc_compensated_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32_memory>(); lyapunov_lolc_compensated_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2736,11 +2757,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64_memory save() const noexcept { lyapunov_lolc_compensated_f64_memory memory{}; lyapunov_lolc_compensated_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64_memory>(); lyapunov_lolc_compensated_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2764,11 +2785,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32x3_memory save() const noexcept { lyapunov_lolc_compensated_f32x3_memory memory{}; lyapunov_lolc_compensated_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x3_memory>(); lyapunov_lolc_compensated_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2792,11 +2813,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64x3_memory save() const noexcept { lyapunov_lolc_compensated_f64x3_memory memory{}; lyapunov_lolc_compensated_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x3_memory>(); lyapunov_lolc_compensated_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2820,11 +2841,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32x6_memory save() const noexcept { lyapunov_lolc_compensated_f32x6_memory memory{}; lyapunov_lolc_compensated_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x6_memory>(); lyapunov_lolc_compensated_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2848,11 +2869,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64x6_memory save() const noexcept { lyapunov_lolc_compensated_f64x6_memory memory{}; lyapunov_lolc_compensated_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x6_memory>(); lyapunov_lolc_compensated_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2876,11 +2897,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32screw_memory save() const noexcept { lyapunov_lolc_compensated_f32screw_memory memory{}; lyapunov_lolc_compensated_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32screw_memory>(); lyapunov_lolc_compensated_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2904,11 +2925,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64screw_memory save() const noexcept { lyapunov_lolc_compensated_f64screw_memory memory{}; lyapunov_lolc_compensated_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64screw_memory>(); lyapunov_lolc_compensated_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2935,11 +2956,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32_memory save() const noexcept { lyapunov_bounded_credit_f32_memory memory{}; lyapunov_bounded_credit_f32_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32_memory>(); lyapunov_bounded_credit_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_bounded_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_bounded_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2963,11 +2984,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64_memory save() const noexcept { lyapunov_bounded_credit_f64_memory memory{}; lyapunov_bounded_credit_f64_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64_memory>(); lyapunov_bounded_credit_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_bounded_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_bounded_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2991,11 +3012,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32x3_memory save() const noexcept { lyapunov_bounded_credit_f32x3_memory memory{}; lyapunov_bounded_credit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x3_memory>(); lyapunov_bounded_credit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_bounded_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_bounded_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3019,11 +3040,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64x3_memory save() const noexcept { lyapunov_bounded_credit_f64x3_memory memory{}; lyapunov_bounded_credit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x3_memory>(); lyapunov_bounded_credit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_bounded_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_bounded_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3047,11 +3068,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32x6_memory save() const noexcept { lyapunov_bounded_credit_f32x6_memory memory{}; lyapunov_bounded_credit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x6_memory>(); lyapunov_bounded_credit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_bounded_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_bounded_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3075,11 +3096,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64x6_memory save() const noexcept { lyapunov_bounded_credit_f64x6_memory memory{}; lyapunov_bounded_credit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x6_memory>(); lyapunov_bounded_credit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_bounded_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_bounded_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3103,11 +3124,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32screw_memory save() const noexcept { lyapunov_bounded_credit_f32screw_memory memory{}; lyapunov_bounded_credit_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32screw_memory>(); lyapunov_bounded_credit_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_bounded_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_bounded_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3131,11 +3152,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64screw_memory save() const noexcept { lyapunov_bounded_credit_f64screw_memory memory{}; lyapunov_bounded_credit_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64screw_memory>(); lyapunov_bounded_credit_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_bounded_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_bounded_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3162,11 +3183,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32_memory save() const noexcept { lyapunov_windowed_credit_f32_memory memory{}; lyapunov_windowed_credit_f32_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32_memory>(); lyapunov_windowed_credit_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_windowed_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_windowed_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3190,11 +3211,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64_memory save() const noexcept { lyapunov_windowed_credit_f64_memory memory{}; lyapunov_windowed_credit_f64_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64_memory>(); lyapunov_windowed_credit_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_windowed_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_windowed_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3218,11 +3239,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32x3_memory save() const noexcept { lyapunov_windowed_credit_f32x3_memory memory{}; lyapunov_windowed_credit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x3_memory>(); lyapunov_windowed_credit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_windowed_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_windowed_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3246,11 +3267,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64x3_memory save() const noexcept { lyapunov_windowed_credit_f64x3_memory memory{}; lyapunov_windowed_credit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x3_memory>(); lyapunov_windowed_credit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_windowed_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_windowed_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3274,11 +3295,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32x6_memory save() const noexcept { lyapunov_windowed_credit_f32x6_memory memory{}; lyapunov_windowed_credit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x6_memory>(); lyapunov_windowed_credit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_windowed_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_windowed_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3302,11 +3323,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64x6_memory save() const noexcept { lyapunov_windowed_credit_f64x6_memory memory{}; lyapunov_windowed_credit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x6_memory>(); lyapunov_windowed_credit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_windowed_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_windowed_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3330,11 +3351,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32screw_memory save() const noexcept { lyapunov_windowed_credit_f32screw_memory memory{}; lyapunov_windowed_credit_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32screw_memory>(); lyapunov_windowed_credit_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_windowed_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_windowed_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3358,11 +3379,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64screw_memory save() const noexcept { lyapunov_windowed_credit_f64screw_memory memory{}; lyapunov_windowed_credit_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64screw_memory>(); lyapunov_windowed_credit_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_windowed_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_windowed_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3389,11 +3410,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_contact_reset_f32_memory save() const noexcept { lyapunov_contact_reset_f32_memory memory{}; lyapunov_contact_reset_f32_save(&storage, &memory); return memory; }
+    lyapunov_contact_reset_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f32_memory>(); lyapunov_contact_reset_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_contact_reset_f32_memory &memory) noexcept { return Status(lyapunov_contact_reset_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_contact_reset_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_contact_reset_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_contact_reset_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3417,11 +3438,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_contact_reset_f64_memory save() const noexcept { lyapunov_contact_reset_f64_memory memory{}; lyapunov_contact_reset_f64_save(&storage, &memory); return memory; }
+    lyapunov_contact_reset_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f64_memory>(); lyapunov_contact_reset_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_contact_reset_f64_memory &memory) noexcept { return Status(lyapunov_contact_reset_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_contact_reset_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_contact_reset_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_contact_reset_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3448,11 +3469,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32_memory save() const noexcept { lyapunov_velocity_threshold_f32_memory memory{}; lyapunov_velocity_threshold_f32_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32_memory>(); lyapunov_velocity_threshold_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_velocity_threshold_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_velocity_threshold_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3476,11 +3497,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64_memory save() const noexcept { lyapunov_velocity_threshold_f64_memory memory{}; lyapunov_velocity_threshold_f64_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64_memory>(); lyapunov_velocity_threshold_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_velocity_threshold_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_velocity_threshold_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3504,11 +3525,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32x3_memory save() const noexcept { lyapunov_velocity_threshold_f32x3_memory memory{}; lyapunov_velocity_threshold_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x3_memory>(); lyapunov_velocity_threshold_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_velocity_threshold_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_velocity_threshold_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3532,11 +3553,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64x3_memory save() const noexcept { lyapunov_velocity_threshold_f64x3_memory memory{}; lyapunov_velocity_threshold_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x3_memory>(); lyapunov_velocity_threshold_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_velocity_threshold_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_velocity_threshold_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3560,11 +3581,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32x6_memory save() const noexcept { lyapunov_velocity_threshold_f32x6_memory memory{}; lyapunov_velocity_threshold_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x6_memory>(); lyapunov_velocity_threshold_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_velocity_threshold_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_velocity_threshold_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3588,11 +3609,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64x6_memory save() const noexcept { lyapunov_velocity_threshold_f64x6_memory memory{}; lyapunov_velocity_threshold_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x6_memory>(); lyapunov_velocity_threshold_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_velocity_threshold_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_velocity_threshold_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3616,11 +3637,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32screw_memory save() const noexcept { lyapunov_velocity_threshold_f32screw_memory memory{}; lyapunov_velocity_threshold_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32screw_memory>(); lyapunov_velocity_threshold_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_velocity_threshold_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_velocity_threshold_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3644,11 +3665,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64screw_memory save() const noexcept { lyapunov_velocity_threshold_f64screw_memory memory{}; lyapunov_velocity_threshold_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64screw_memory>(); lyapunov_velocity_threshold_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_velocity_threshold_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_velocity_threshold_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3675,11 +3696,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32_memory save() const noexcept { lyapunov_spread_f32_memory memory{}; lyapunov_spread_f32_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32_memory>(); lyapunov_spread_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32_memory &memory) noexcept { return Status(lyapunov_spread_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_spread_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_spread_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3703,11 +3724,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64_memory save() const noexcept { lyapunov_spread_f64_memory memory{}; lyapunov_spread_f64_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64_memory>(); lyapunov_spread_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64_memory &memory) noexcept { return Status(lyapunov_spread_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_spread_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_spread_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3731,11 +3752,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32x3_memory save() const noexcept { lyapunov_spread_f32x3_memory memory{}; lyapunov_spread_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x3_memory>(); lyapunov_spread_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32x3_memory &memory) noexcept { return Status(lyapunov_spread_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_spread_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_spread_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3759,11 +3780,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64x3_memory save() const noexcept { lyapunov_spread_f64x3_memory memory{}; lyapunov_spread_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x3_memory>(); lyapunov_spread_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64x3_memory &memory) noexcept { return Status(lyapunov_spread_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_spread_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_spread_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3787,11 +3808,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32x6_memory save() const noexcept { lyapunov_spread_f32x6_memory memory{}; lyapunov_spread_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x6_memory>(); lyapunov_spread_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32x6_memory &memory) noexcept { return Status(lyapunov_spread_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_spread_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_spread_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3815,11 +3836,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64x6_memory save() const noexcept { lyapunov_spread_f64x6_memory memory{}; lyapunov_spread_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x6_memory>(); lyapunov_spread_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64x6_memory &memory) noexcept { return Status(lyapunov_spread_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_spread_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_spread_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3843,11 +3864,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32screw_memory save() const noexcept { lyapunov_spread_f32screw_memory memory{}; lyapunov_spread_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32screw_memory>(); lyapunov_spread_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32screw_memory &memory) noexcept { return Status(lyapunov_spread_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_spread_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_spread_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3871,11 +3892,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64screw_memory save() const noexcept { lyapunov_spread_f64screw_memory memory{}; lyapunov_spread_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64screw_memory>(); lyapunov_spread_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64screw_memory &memory) noexcept { return Status(lyapunov_spread_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_spread_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_spread_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3902,11 +3923,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32_memory save() const noexcept { lyapunov_soft_start_f32_memory memory{}; lyapunov_soft_start_f32_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32_memory>(); lyapunov_soft_start_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32_memory &memory) noexcept { return Status(lyapunov_soft_start_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_soft_start_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_soft_start_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3930,11 +3951,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64_memory save() const noexcept { lyapunov_soft_start_f64_memory memory{}; lyapunov_soft_start_f64_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64_memory>(); lyapunov_soft_start_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64_memory &memory) noexcept { return Status(lyapunov_soft_start_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_soft_start_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_soft_start_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3958,11 +3979,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32x3_memory save() const noexcept { lyapunov_soft_start_f32x3_memory memory{}; lyapunov_soft_start_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x3_memory>(); lyapunov_soft_start_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_soft_start_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_soft_start_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3986,11 +4007,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64x3_memory save() const noexcept { lyapunov_soft_start_f64x3_memory memory{}; lyapunov_soft_start_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x3_memory>(); lyapunov_soft_start_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_soft_start_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_soft_start_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4014,11 +4035,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32x6_memory save() const noexcept { lyapunov_soft_start_f32x6_memory memory{}; lyapunov_soft_start_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x6_memory>(); lyapunov_soft_start_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_soft_start_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_soft_start_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4042,11 +4063,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64x6_memory save() const noexcept { lyapunov_soft_start_f64x6_memory memory{}; lyapunov_soft_start_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x6_memory>(); lyapunov_soft_start_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_soft_start_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_soft_start_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4070,11 +4091,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32screw_memory save() const noexcept { lyapunov_soft_start_f32screw_memory memory{}; lyapunov_soft_start_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32screw_memory>(); lyapunov_soft_start_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_soft_start_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_soft_start_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4098,11 +4119,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64screw_memory save() const noexcept { lyapunov_soft_start_f64screw_memory memory{}; lyapunov_soft_start_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64screw_memory>(); lyapunov_soft_start_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_soft_start_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_soft_start_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4129,11 +4150,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32_memory save() const noexcept { lyapunov_rate_limit_f32_memory memory{}; lyapunov_rate_limit_f32_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32_memory>(); lyapunov_rate_limit_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_rate_limit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_rate_limit_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4157,11 +4178,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64_memory save() const noexcept { lyapunov_rate_limit_f64_memory memory{}; lyapunov_rate_limit_f64_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64_memory>(); lyapunov_rate_limit_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_rate_limit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_rate_limit_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4185,11 +4206,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32x3_memory save() const noexcept { lyapunov_rate_limit_f32x3_memory memory{}; lyapunov_rate_limit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x3_memory>(); lyapunov_rate_limit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_rate_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_rate_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4213,11 +4234,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64x3_memory save() const noexcept { lyapunov_rate_limit_f64x3_memory memory{}; lyapunov_rate_limit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x3_memory>(); lyapunov_rate_limit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_rate_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_rate_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4241,11 +4262,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32x6_memory save() const noexcept { lyapunov_rate_limit_f32x6_memory memory{}; lyapunov_rate_limit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x6_memory>(); lyapunov_rate_limit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_rate_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_rate_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4269,11 +4290,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64x6_memory save() const noexcept { lyapunov_rate_limit_f64x6_memory memory{}; lyapunov_rate_limit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x6_memory>(); lyapunov_rate_limit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_rate_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_rate_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4297,11 +4318,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32screw_memory save() const noexcept { lyapunov_rate_limit_f32screw_memory memory{}; lyapunov_rate_limit_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32screw_memory>(); lyapunov_rate_limit_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_rate_limit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_rate_limit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4325,11 +4346,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64screw_memory save() const noexcept { lyapunov_rate_limit_f64screw_memory memory{}; lyapunov_rate_limit_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64screw_memory>(); lyapunov_rate_limit_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_rate_limit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_rate_limit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4356,11 +4377,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32_memory save() const noexcept { lyapunov_axis_weights_f32_memory memory{}; lyapunov_axis_weights_f32_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32_memory>(); lyapunov_axis_weights_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_axis_weights_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_axis_weights_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4384,11 +4405,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64_memory save() const noexcept { lyapunov_axis_weights_f64_memory memory{}; lyapunov_axis_weights_f64_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64_memory>(); lyapunov_axis_weights_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_axis_weights_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_axis_weights_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4412,11 +4433,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32x3_memory save() const noexcept { lyapunov_axis_weights_f32x3_memory memory{}; lyapunov_axis_weights_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x3_memory>(); lyapunov_axis_weights_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_axis_weights_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_axis_weights_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4440,11 +4461,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64x3_memory save() const noexcept { lyapunov_axis_weights_f64x3_memory memory{}; lyapunov_axis_weights_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x3_memory>(); lyapunov_axis_weights_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_axis_weights_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_axis_weights_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4468,11 +4489,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32x6_memory save() const noexcept { lyapunov_axis_weights_f32x6_memory memory{}; lyapunov_axis_weights_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x6_memory>(); lyapunov_axis_weights_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_axis_weights_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_axis_weights_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4496,11 +4517,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64x6_memory save() const noexcept { lyapunov_axis_weights_f64x6_memory memory{}; lyapunov_axis_weights_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x6_memory>(); lyapunov_axis_weights_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_axis_weights_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_axis_weights_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4524,11 +4545,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32screw_memory save() const noexcept { lyapunov_axis_weights_f32screw_memory memory{}; lyapunov_axis_weights_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32screw_memory>(); lyapunov_axis_weights_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_axis_weights_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_axis_weights_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4552,11 +4573,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64screw_memory save() const noexcept { lyapunov_axis_weights_f64screw_memory memory{}; lyapunov_axis_weights_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64screw_memory>(); lyapunov_axis_weights_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_axis_weights_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_axis_weights_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4583,11 +4604,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32_memory save() const noexcept { lyapunov_along_direction_f32_memory memory{}; lyapunov_along_direction_f32_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32_memory>(); lyapunov_along_direction_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32_memory &memory) noexcept { return Status(lyapunov_along_direction_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_along_direction_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_along_direction_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4611,11 +4632,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64_memory save() const noexcept { lyapunov_along_direction_f64_memory memory{}; lyapunov_along_direction_f64_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64_memory>(); lyapunov_along_direction_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64_memory &memory) noexcept { return Status(lyapunov_along_direction_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_along_direction_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_along_direction_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4639,11 +4660,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32x3_memory save() const noexcept { lyapunov_along_direction_f32x3_memory memory{}; lyapunov_along_direction_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x3_memory>(); lyapunov_along_direction_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_along_direction_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_along_direction_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4667,11 +4688,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64x3_memory save() const noexcept { lyapunov_along_direction_f64x3_memory memory{}; lyapunov_along_direction_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x3_memory>(); lyapunov_along_direction_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_along_direction_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_along_direction_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4695,11 +4716,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32x6_memory save() const noexcept { lyapunov_along_direction_f32x6_memory memory{}; lyapunov_along_direction_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x6_memory>(); lyapunov_along_direction_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_along_direction_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_along_direction_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4723,11 +4744,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64x6_memory save() const noexcept { lyapunov_along_direction_f64x6_memory memory{}; lyapunov_along_direction_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x6_memory>(); lyapunov_along_direction_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_along_direction_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_along_direction_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4751,11 +4772,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32screw_memory save() const noexcept { lyapunov_along_direction_f32screw_memory memory{}; lyapunov_along_direction_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32screw_memory>(); lyapunov_along_direction_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_along_direction_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_along_direction_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4779,11 +4800,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64screw_memory save() const noexcept { lyapunov_along_direction_f64screw_memory memory{}; lyapunov_along_direction_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64screw_memory>(); lyapunov_along_direction_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_along_direction_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_along_direction_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4810,11 +4831,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f32x3_memory save() const noexcept { lyapunov_inertia_metric_f32x3_memory memory{}; lyapunov_inertia_metric_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x3_memory>(); lyapunov_inertia_metric_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_inertia_metric_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_metric_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4838,11 +4859,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f64x3_memory save() const noexcept { lyapunov_inertia_metric_f64x3_memory memory{}; lyapunov_inertia_metric_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x3_memory>(); lyapunov_inertia_metric_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_inertia_metric_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_metric_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4866,11 +4887,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f32x6_memory save() const noexcept { lyapunov_inertia_metric_f32x6_memory memory{}; lyapunov_inertia_metric_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x6_memory>(); lyapunov_inertia_metric_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_inertia_metric_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_metric_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4894,11 +4915,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f64x6_memory save() const noexcept { lyapunov_inertia_metric_f64x6_memory memory{}; lyapunov_inertia_metric_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x6_memory>(); lyapunov_inertia_metric_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_inertia_metric_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_metric_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4925,11 +4946,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f32x3_memory save() const noexcept { lyapunov_inertia_limit_f32x3_memory memory{}; lyapunov_inertia_limit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x3_memory>(); lyapunov_inertia_limit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_inertia_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4953,11 +4974,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f64x3_memory save() const noexcept { lyapunov_inertia_limit_f64x3_memory memory{}; lyapunov_inertia_limit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x3_memory>(); lyapunov_inertia_limit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_inertia_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4981,11 +5002,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f32x6_memory save() const noexcept { lyapunov_inertia_limit_f32x6_memory memory{}; lyapunov_inertia_limit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x6_memory>(); lyapunov_inertia_limit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_inertia_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5009,11 +5030,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f64x6_memory save() const noexcept { lyapunov_inertia_limit_f64x6_memory memory{}; lyapunov_inertia_limit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x6_memory>(); lyapunov_inertia_limit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_inertia_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5040,11 +5061,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32_memory save() const noexcept { lyapunov_plausible_f32_memory memory{}; lyapunov_plausible_f32_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32_memory>(); lyapunov_plausible_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32_memory &memory) noexcept { return Status(lyapunov_plausible_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_plausible_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_plausible_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5068,11 +5089,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64_memory save() const noexcept { lyapunov_plausible_f64_memory memory{}; lyapunov_plausible_f64_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64_memory>(); lyapunov_plausible_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64_memory &memory) noexcept { return Status(lyapunov_plausible_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_plausible_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_plausible_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5096,11 +5117,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32x3_memory save() const noexcept { lyapunov_plausible_f32x3_memory memory{}; lyapunov_plausible_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x3_memory>(); lyapunov_plausible_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32x3_memory &memory) noexcept { return Status(lyapunov_plausible_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_plausible_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_plausible_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5124,11 +5145,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64x3_memory save() const noexcept { lyapunov_plausible_f64x3_memory memory{}; lyapunov_plausible_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x3_memory>(); lyapunov_plausible_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64x3_memory &memory) noexcept { return Status(lyapunov_plausible_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_plausible_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_plausible_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5152,11 +5173,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32x6_memory save() const noexcept { lyapunov_plausible_f32x6_memory memory{}; lyapunov_plausible_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x6_memory>(); lyapunov_plausible_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32x6_memory &memory) noexcept { return Status(lyapunov_plausible_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_plausible_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_plausible_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5180,11 +5201,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64x6_memory save() const noexcept { lyapunov_plausible_f64x6_memory memory{}; lyapunov_plausible_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x6_memory>(); lyapunov_plausible_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64x6_memory &memory) noexcept { return Status(lyapunov_plausible_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_plausible_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_plausible_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5208,11 +5229,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32screw_memory save() const noexcept { lyapunov_plausible_f32screw_memory memory{}; lyapunov_plausible_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32screw_memory>(); lyapunov_plausible_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32screw_memory &memory) noexcept { return Status(lyapunov_plausible_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_plausible_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_plausible_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5236,11 +5257,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64screw_memory save() const noexcept { lyapunov_plausible_f64screw_memory memory{}; lyapunov_plausible_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64screw_memory>(); lyapunov_plausible_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64screw_memory &memory) noexcept { return Status(lyapunov_plausible_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_plausible_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_plausible_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5267,11 +5288,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32_memory save() const noexcept { lyapunov_watchdog_f32_memory memory{}; lyapunov_watchdog_f32_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32_memory>(); lyapunov_watchdog_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32_memory &memory) noexcept { return Status(lyapunov_watchdog_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_watchdog_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_watchdog_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5295,11 +5316,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64_memory save() const noexcept { lyapunov_watchdog_f64_memory memory{}; lyapunov_watchdog_f64_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64_memory>(); lyapunov_watchdog_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64_memory &memory) noexcept { return Status(lyapunov_watchdog_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_watchdog_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_watchdog_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5323,11 +5344,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32x3_memory save() const noexcept { lyapunov_watchdog_f32x3_memory memory{}; lyapunov_watchdog_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x3_memory>(); lyapunov_watchdog_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_watchdog_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_watchdog_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5351,11 +5372,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64x3_memory save() const noexcept { lyapunov_watchdog_f64x3_memory memory{}; lyapunov_watchdog_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x3_memory>(); lyapunov_watchdog_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_watchdog_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_watchdog_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5379,11 +5400,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32x6_memory save() const noexcept { lyapunov_watchdog_f32x6_memory memory{}; lyapunov_watchdog_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x6_memory>(); lyapunov_watchdog_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_watchdog_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_watchdog_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5407,11 +5428,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64x6_memory save() const noexcept { lyapunov_watchdog_f64x6_memory memory{}; lyapunov_watchdog_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x6_memory>(); lyapunov_watchdog_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_watchdog_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_watchdog_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5435,11 +5456,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32screw_memory save() const noexcept { lyapunov_watchdog_f32screw_memory memory{}; lyapunov_watchdog_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32screw_memory>(); lyapunov_watchdog_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_watchdog_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_watchdog_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5463,11 +5484,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64screw_memory save() const noexcept { lyapunov_watchdog_f64screw_memory memory{}; lyapunov_watchdog_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64screw_memory>(); lyapunov_watchdog_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_watchdog_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_watchdog_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5494,11 +5515,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32_memory save() const noexcept { lyapunov_safeguarded_f32_memory memory{}; lyapunov_safeguarded_f32_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32_memory>(); lyapunov_safeguarded_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_safeguarded_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_safeguarded_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5522,11 +5543,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64_memory save() const noexcept { lyapunov_safeguarded_f64_memory memory{}; lyapunov_safeguarded_f64_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64_memory>(); lyapunov_safeguarded_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_safeguarded_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_safeguarded_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5550,11 +5571,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32x3_memory save() const noexcept { lyapunov_safeguarded_f32x3_memory memory{}; lyapunov_safeguarded_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x3_memory>(); lyapunov_safeguarded_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_safeguarded_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_safeguarded_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5578,11 +5599,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64x3_memory save() const noexcept { lyapunov_safeguarded_f64x3_memory memory{}; lyapunov_safeguarded_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x3_memory>(); lyapunov_safeguarded_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_safeguarded_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_safeguarded_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5606,11 +5627,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32x6_memory save() const noexcept { lyapunov_safeguarded_f32x6_memory memory{}; lyapunov_safeguarded_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x6_memory>(); lyapunov_safeguarded_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_safeguarded_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_safeguarded_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5634,11 +5655,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64x6_memory save() const noexcept { lyapunov_safeguarded_f64x6_memory memory{}; lyapunov_safeguarded_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x6_memory>(); lyapunov_safeguarded_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_safeguarded_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_safeguarded_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5662,11 +5683,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32screw_memory save() const noexcept { lyapunov_safeguarded_f32screw_memory memory{}; lyapunov_safeguarded_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32screw_memory>(); lyapunov_safeguarded_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_safeguarded_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_safeguarded_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5690,11 +5711,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64screw_memory save() const noexcept { lyapunov_safeguarded_f64screw_memory memory{}; lyapunov_safeguarded_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64screw_memory>(); lyapunov_safeguarded_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_safeguarded_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_safeguarded_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5721,11 +5742,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f32x3_memory save() const noexcept { lyapunov_per_axis_f32x3_memory memory{}; lyapunov_per_axis_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x3_memory>(); lyapunov_per_axis_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f32x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_per_axis_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_per_axis_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5741,11 +5762,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f64x3_memory save() const noexcept { lyapunov_per_axis_f64x3_memory memory{}; lyapunov_per_axis_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x3_memory>(); lyapunov_per_axis_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f64x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_per_axis_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_per_axis_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5761,11 +5782,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f32x6_memory save() const noexcept { lyapunov_per_axis_f32x6_memory memory{}; lyapunov_per_axis_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x6_memory>(); lyapunov_per_axis_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f32x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_per_axis_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_per_axis_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5781,11 +5802,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f64x6_memory save() const noexcept { lyapunov_per_axis_f64x6_memory memory{}; lyapunov_per_axis_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x6_memory>(); lyapunov_per_axis_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f64x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_per_axis_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_per_axis_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5804,11 +5825,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_part_f32screw_memory save() const noexcept { lyapunov_per_part_f32screw_memory memory{}; lyapunov_per_part_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_per_part_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f32screw_memory>(); lyapunov_per_part_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_part_f32screw_memory &memory) noexcept { return Status(lyapunov_per_part_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_per_part_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_per_part_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
@@ -5824,11 +5845,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_part_f64screw_memory save() const noexcept { lyapunov_per_part_f64screw_memory memory{}; lyapunov_per_part_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_per_part_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f64screw_memory>(); lyapunov_per_part_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_part_f64screw_memory &memory) noexcept { return Status(lyapunov_per_part_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_per_part_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_per_part_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
@@ -5847,11 +5868,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_part_limits_f32screw_memory save() const noexcept { lyapunov_part_limits_f32screw_memory memory{}; lyapunov_part_limits_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_part_limits_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f32screw_memory>(); lyapunov_part_limits_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_part_limits_f32screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_part_limits_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_part_limits_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_part_limits_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5875,11 +5896,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_part_limits_f64screw_memory save() const noexcept { lyapunov_part_limits_f64screw_memory memory{}; lyapunov_part_limits_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_part_limits_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f64screw_memory>(); lyapunov_part_limits_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_part_limits_f64screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_part_limits_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_part_limits_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_part_limits_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5906,11 +5927,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32_memory save() const noexcept { lyapunov_force_bound_f32_memory memory{}; lyapunov_force_bound_f32_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32_memory>(); lyapunov_force_bound_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32_memory &memory) noexcept { return Status(lyapunov_force_bound_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_force_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5934,11 +5955,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64_memory save() const noexcept { lyapunov_force_bound_f64_memory memory{}; lyapunov_force_bound_f64_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64_memory>(); lyapunov_force_bound_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64_memory &memory) noexcept { return Status(lyapunov_force_bound_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_force_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5962,11 +5983,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32x3_memory save() const noexcept { lyapunov_force_bound_f32x3_memory memory{}; lyapunov_force_bound_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x3_memory>(); lyapunov_force_bound_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_force_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5990,11 +6011,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64x3_memory save() const noexcept { lyapunov_force_bound_f64x3_memory memory{}; lyapunov_force_bound_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x3_memory>(); lyapunov_force_bound_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_force_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6018,11 +6039,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32x6_memory save() const noexcept { lyapunov_force_bound_f32x6_memory memory{}; lyapunov_force_bound_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x6_memory>(); lyapunov_force_bound_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_force_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6046,11 +6067,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64x6_memory save() const noexcept { lyapunov_force_bound_f64x6_memory memory{}; lyapunov_force_bound_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x6_memory>(); lyapunov_force_bound_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_force_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6074,11 +6095,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32screw_memory save() const noexcept { lyapunov_force_bound_f32screw_memory memory{}; lyapunov_force_bound_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32screw_memory>(); lyapunov_force_bound_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_force_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6102,11 +6123,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64screw_memory save() const noexcept { lyapunov_force_bound_f64screw_memory memory{}; lyapunov_force_bound_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64screw_memory>(); lyapunov_force_bound_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_force_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6133,11 +6154,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32_memory save() const noexcept { lyapunov_force_bounding_f32_memory memory{}; lyapunov_force_bounding_f32_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32_memory>(); lyapunov_force_bounding_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_force_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6161,11 +6182,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64_memory save() const noexcept { lyapunov_force_bounding_f64_memory memory{}; lyapunov_force_bounding_f64_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64_memory>(); lyapunov_force_bounding_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_force_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6189,11 +6210,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32x3_memory save() const noexcept { lyapunov_force_bounding_f32x3_memory memory{}; lyapunov_force_bounding_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x3_memory>(); lyapunov_force_bounding_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_force_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6217,11 +6238,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64x3_memory save() const noexcept { lyapunov_force_bounding_f64x3_memory memory{}; lyapunov_force_bounding_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x3_memory>(); lyapunov_force_bounding_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_force_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6245,11 +6266,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32x6_memory save() const noexcept { lyapunov_force_bounding_f32x6_memory memory{}; lyapunov_force_bounding_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x6_memory>(); lyapunov_force_bounding_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_force_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6273,11 +6294,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64x6_memory save() const noexcept { lyapunov_force_bounding_f64x6_memory memory{}; lyapunov_force_bounding_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x6_memory>(); lyapunov_force_bounding_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_force_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6301,11 +6322,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32screw_memory save() const noexcept { lyapunov_force_bounding_f32screw_memory memory{}; lyapunov_force_bounding_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32screw_memory>(); lyapunov_force_bounding_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_force_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6329,11 +6350,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64screw_memory save() const noexcept { lyapunov_force_bounding_f64screw_memory memory{}; lyapunov_force_bounding_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64screw_memory>(); lyapunov_force_bounding_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_force_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6360,11 +6381,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32_memory save() const noexcept { lyapunov_tank_f32_memory memory{}; lyapunov_tank_f32_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32_memory>(); lyapunov_tank_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32_memory &memory) noexcept { return Status(lyapunov_tank_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_tank_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_tank_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6388,11 +6409,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64_memory save() const noexcept { lyapunov_tank_f64_memory memory{}; lyapunov_tank_f64_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64_memory>(); lyapunov_tank_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64_memory &memory) noexcept { return Status(lyapunov_tank_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_tank_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_tank_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6416,11 +6437,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32x3_memory save() const noexcept { lyapunov_tank_f32x3_memory memory{}; lyapunov_tank_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x3_memory>(); lyapunov_tank_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_tank_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_tank_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_tank_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6444,11 +6465,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64x3_memory save() const noexcept { lyapunov_tank_f64x3_memory memory{}; lyapunov_tank_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x3_memory>(); lyapunov_tank_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_tank_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_tank_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_tank_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6472,11 +6493,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32x6_memory save() const noexcept { lyapunov_tank_f32x6_memory memory{}; lyapunov_tank_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x6_memory>(); lyapunov_tank_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_tank_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_tank_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_tank_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6500,11 +6521,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64x6_memory save() const noexcept { lyapunov_tank_f64x6_memory memory{}; lyapunov_tank_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x6_memory>(); lyapunov_tank_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_tank_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_tank_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_tank_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6528,11 +6549,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32screw_memory save() const noexcept { lyapunov_tank_f32screw_memory memory{}; lyapunov_tank_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32screw_memory>(); lyapunov_tank_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_tank_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_tank_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_tank_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6556,11 +6577,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64screw_memory save() const noexcept { lyapunov_tank_f64screw_memory memory{}; lyapunov_tank_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64screw_memory>(); lyapunov_tank_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_tank_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_tank_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_tank_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6587,11 +6608,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32_memory save() const noexcept { lyapunov_energy_tank_f32_memory memory{}; lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32_memory>(); lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    float pass(float period, float dissipated, float wished, float flow) noexcept { float passed{}; lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
+    float pass(float period, float dissipated, float wished, float flow) noexcept { auto passed = detail::unanswered<float>(); lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6609,11 +6630,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64_memory save() const noexcept { lyapunov_energy_tank_f64_memory memory{}; lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64_memory>(); lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    double pass(double period, double dissipated, double wished, double flow) noexcept { double passed{}; lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
+    double pass(double period, double dissipated, double wished, double flow) noexcept { auto passed = detail::unanswered<double>(); lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6631,11 +6652,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32x3_memory save() const noexcept { lyapunov_energy_tank_f32x3_memory memory{}; lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x3_memory>(); lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x3_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); lyapunov_f32x3 passed{}; lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); auto passed = detail::unanswered<lyapunov_f32x3>(); lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x3_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6653,11 +6674,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64x3_memory save() const noexcept { lyapunov_energy_tank_f64x3_memory memory{}; lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x3_memory>(); lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x3_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); lyapunov_f64x3 passed{}; lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); auto passed = detail::unanswered<lyapunov_f64x3>(); lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x3_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6675,11 +6696,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32x6_memory save() const noexcept { lyapunov_energy_tank_f32x6_memory memory{}; lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x6_memory>(); lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x6_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); lyapunov_f32x6 passed{}; lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); auto passed = detail::unanswered<lyapunov_f32x6>(); lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x6_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6697,11 +6718,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64x6_memory save() const noexcept { lyapunov_energy_tank_f64x6_memory memory{}; lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x6_memory>(); lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x6_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); lyapunov_f64x6 passed{}; lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); auto passed = detail::unanswered<lyapunov_f64x6>(); lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x6_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6719,11 +6740,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32screw_memory save() const noexcept { lyapunov_energy_tank_f32screw_memory memory{}; lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32screw_memory>(); lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32screw_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); lyapunov_f32screw passed{}; lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); auto passed = detail::unanswered<lyapunov_f32screw>(); lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32screw_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6741,11 +6762,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64screw_memory save() const noexcept { lyapunov_energy_tank_f64screw_memory memory{}; lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64screw_memory>(); lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64screw_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); lyapunov_f64screw passed{}; lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); auto passed = detail::unanswered<lyapunov_f64screw>(); lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64screw_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6766,11 +6787,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32_memory save() const noexcept { lyapunov_energy_bounding_f32_memory memory{}; lyapunov_energy_bounding_f32_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32_memory>(); lyapunov_energy_bounding_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_energy_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_energy_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6794,11 +6815,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64_memory save() const noexcept { lyapunov_energy_bounding_f64_memory memory{}; lyapunov_energy_bounding_f64_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64_memory>(); lyapunov_energy_bounding_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_energy_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_energy_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6822,11 +6843,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32x3_memory save() const noexcept { lyapunov_energy_bounding_f32x3_memory memory{}; lyapunov_energy_bounding_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x3_memory>(); lyapunov_energy_bounding_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_energy_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_energy_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6850,11 +6871,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64x3_memory save() const noexcept { lyapunov_energy_bounding_f64x3_memory memory{}; lyapunov_energy_bounding_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x3_memory>(); lyapunov_energy_bounding_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_energy_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_energy_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6878,11 +6899,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32x6_memory save() const noexcept { lyapunov_energy_bounding_f32x6_memory memory{}; lyapunov_energy_bounding_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x6_memory>(); lyapunov_energy_bounding_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_energy_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_energy_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6906,11 +6927,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64x6_memory save() const noexcept { lyapunov_energy_bounding_f64x6_memory memory{}; lyapunov_energy_bounding_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x6_memory>(); lyapunov_energy_bounding_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_energy_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_energy_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6934,11 +6955,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32screw_memory save() const noexcept { lyapunov_energy_bounding_f32screw_memory memory{}; lyapunov_energy_bounding_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32screw_memory>(); lyapunov_energy_bounding_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_energy_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_energy_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6962,11 +6983,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64screw_memory save() const noexcept { lyapunov_energy_bounding_f64screw_memory memory{}; lyapunov_energy_bounding_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64screw_memory>(); lyapunov_energy_bounding_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_energy_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_energy_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6993,11 +7014,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32_memory save() const noexcept { lyapunov_least_norm_f32_memory memory{}; lyapunov_least_norm_f32_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32_memory>(); lyapunov_least_norm_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32_memory &memory) noexcept { return Status(lyapunov_least_norm_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_least_norm_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_least_norm_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7021,11 +7042,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64_memory save() const noexcept { lyapunov_least_norm_f64_memory memory{}; lyapunov_least_norm_f64_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64_memory>(); lyapunov_least_norm_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64_memory &memory) noexcept { return Status(lyapunov_least_norm_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_least_norm_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_least_norm_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7049,11 +7070,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32x3_memory save() const noexcept { lyapunov_least_norm_f32x3_memory memory{}; lyapunov_least_norm_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x3_memory>(); lyapunov_least_norm_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_least_norm_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_least_norm_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7077,11 +7098,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64x3_memory save() const noexcept { lyapunov_least_norm_f64x3_memory memory{}; lyapunov_least_norm_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x3_memory>(); lyapunov_least_norm_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_least_norm_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_least_norm_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7105,11 +7126,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32x6_memory save() const noexcept { lyapunov_least_norm_f32x6_memory memory{}; lyapunov_least_norm_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x6_memory>(); lyapunov_least_norm_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_least_norm_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_least_norm_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7133,11 +7154,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64x6_memory save() const noexcept { lyapunov_least_norm_f64x6_memory memory{}; lyapunov_least_norm_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x6_memory>(); lyapunov_least_norm_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_least_norm_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_least_norm_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7161,11 +7182,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32screw_memory save() const noexcept { lyapunov_least_norm_f32screw_memory memory{}; lyapunov_least_norm_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32screw_memory>(); lyapunov_least_norm_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_least_norm_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_least_norm_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7189,11 +7210,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64screw_memory save() const noexcept { lyapunov_least_norm_f64screw_memory memory{}; lyapunov_least_norm_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64screw_memory>(); lyapunov_least_norm_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_least_norm_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_least_norm_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7220,11 +7241,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32_memory save() const noexcept { lyapunov_slope_bound_f32_memory memory{}; lyapunov_slope_bound_f32_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32_memory>(); lyapunov_slope_bound_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_slope_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_slope_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7248,11 +7269,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64_memory save() const noexcept { lyapunov_slope_bound_f64_memory memory{}; lyapunov_slope_bound_f64_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64_memory>(); lyapunov_slope_bound_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_slope_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_slope_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7276,11 +7297,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32x3_memory save() const noexcept { lyapunov_slope_bound_f32x3_memory memory{}; lyapunov_slope_bound_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x3_memory>(); lyapunov_slope_bound_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_slope_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_slope_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7304,11 +7325,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64x3_memory save() const noexcept { lyapunov_slope_bound_f64x3_memory memory{}; lyapunov_slope_bound_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x3_memory>(); lyapunov_slope_bound_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_slope_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_slope_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7332,11 +7353,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32x6_memory save() const noexcept { lyapunov_slope_bound_f32x6_memory memory{}; lyapunov_slope_bound_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x6_memory>(); lyapunov_slope_bound_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_slope_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_slope_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7360,11 +7381,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64x6_memory save() const noexcept { lyapunov_slope_bound_f64x6_memory memory{}; lyapunov_slope_bound_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x6_memory>(); lyapunov_slope_bound_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_slope_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_slope_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7388,11 +7409,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32screw_memory save() const noexcept { lyapunov_slope_bound_f32screw_memory memory{}; lyapunov_slope_bound_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32screw_memory>(); lyapunov_slope_bound_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_slope_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_slope_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7416,11 +7437,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64screw_memory save() const noexcept { lyapunov_slope_bound_f64screw_memory memory{}; lyapunov_slope_bound_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64screw_memory>(); lyapunov_slope_bound_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_slope_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_slope_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7447,11 +7468,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_memory_based_f32_memory save() const noexcept { lyapunov_memory_based_f32_memory memory{}; lyapunov_memory_based_f32_save(&storage, &memory); return memory; }
+    lyapunov_memory_based_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f32_memory>(); lyapunov_memory_based_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_memory_based_f32_memory &memory) noexcept { return Status(lyapunov_memory_based_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_memory_based_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_memory_based_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_memory_based_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7475,11 +7496,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_memory_based_f64_memory save() const noexcept { lyapunov_memory_based_f64_memory memory{}; lyapunov_memory_based_f64_save(&storage, &memory); return memory; }
+    lyapunov_memory_based_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f64_memory>(); lyapunov_memory_based_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_memory_based_f64_memory &memory) noexcept { return Status(lyapunov_memory_based_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_memory_based_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_memory_based_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_memory_based_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7506,11 +7527,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_path_memory_f32_memory save() const noexcept { lyapunov_path_memory_f32_memory memory{}; lyapunov_path_memory_f32_save(&storage, &memory); return memory; }
+    lyapunov_path_memory_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f32_memory>(); lyapunov_path_memory_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_path_memory_f32_memory &memory) noexcept { return Status(lyapunov_path_memory_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_path_memory_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_path_memory_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
@@ -7526,11 +7547,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_path_memory_f64_memory save() const noexcept { lyapunov_path_memory_f64_memory memory{}; lyapunov_path_memory_f64_save(&storage, &memory); return memory; }
+    lyapunov_path_memory_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f64_memory>(); lyapunov_path_memory_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_path_memory_f64_memory &memory) noexcept { return Status(lyapunov_path_memory_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
@@ -7549,11 +7570,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32_memory save() const noexcept { lyapunov_two_port_side_f32_memory memory{}; lyapunov_two_port_side_f32_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32_memory>(); lyapunov_two_port_side_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7581,11 +7602,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64_memory save() const noexcept { lyapunov_two_port_side_f64_memory memory{}; lyapunov_two_port_side_f64_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64_memory>(); lyapunov_two_port_side_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7613,11 +7634,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32x3_memory save() const noexcept { lyapunov_two_port_side_f32x3_memory memory{}; lyapunov_two_port_side_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x3_memory>(); lyapunov_two_port_side_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7645,11 +7666,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64x3_memory save() const noexcept { lyapunov_two_port_side_f64x3_memory memory{}; lyapunov_two_port_side_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x3_memory>(); lyapunov_two_port_side_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7677,11 +7698,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32x6_memory save() const noexcept { lyapunov_two_port_side_f32x6_memory memory{}; lyapunov_two_port_side_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x6_memory>(); lyapunov_two_port_side_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7709,11 +7730,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64x6_memory save() const noexcept { lyapunov_two_port_side_f64x6_memory memory{}; lyapunov_two_port_side_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x6_memory>(); lyapunov_two_port_side_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7741,11 +7762,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32screw_memory save() const noexcept { lyapunov_two_port_side_f32screw_memory memory{}; lyapunov_two_port_side_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32screw_memory>(); lyapunov_two_port_side_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7773,11 +7794,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64screw_memory save() const noexcept { lyapunov_two_port_side_f64screw_memory memory{}; lyapunov_two_port_side_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64screw_memory>(); lyapunov_two_port_side_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7808,11 +7829,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32_memory save() const noexcept { lyapunov_drift_compensated_f32_memory memory{}; lyapunov_drift_compensated_f32_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32_memory>(); lyapunov_drift_compensated_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7840,11 +7861,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64_memory save() const noexcept { lyapunov_drift_compensated_f64_memory memory{}; lyapunov_drift_compensated_f64_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64_memory>(); lyapunov_drift_compensated_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7872,11 +7893,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32x3_memory save() const noexcept { lyapunov_drift_compensated_f32x3_memory memory{}; lyapunov_drift_compensated_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x3_memory>(); lyapunov_drift_compensated_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7904,11 +7925,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64x3_memory save() const noexcept { lyapunov_drift_compensated_f64x3_memory memory{}; lyapunov_drift_compensated_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x3_memory>(); lyapunov_drift_compensated_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7936,11 +7957,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32x6_memory save() const noexcept { lyapunov_drift_compensated_f32x6_memory memory{}; lyapunov_drift_compensated_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x6_memory>(); lyapunov_drift_compensated_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7968,11 +7989,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64x6_memory save() const noexcept { lyapunov_drift_compensated_f64x6_memory memory{}; lyapunov_drift_compensated_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x6_memory>(); lyapunov_drift_compensated_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8000,11 +8021,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32screw_memory save() const noexcept { lyapunov_drift_compensated_f32screw_memory memory{}; lyapunov_drift_compensated_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32screw_memory>(); lyapunov_drift_compensated_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8032,11 +8053,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64screw_memory save() const noexcept { lyapunov_drift_compensated_f64screw_memory memory{}; lyapunov_drift_compensated_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64screw_memory>(); lyapunov_drift_compensated_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8067,11 +8088,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32_memory save() const noexcept { lyapunov_two_layer_f32_memory memory{}; lyapunov_two_layer_f32_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32_memory>(); lyapunov_two_layer_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32_memory &memory) noexcept { return Status(lyapunov_two_layer_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8099,11 +8120,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64_memory save() const noexcept { lyapunov_two_layer_f64_memory memory{}; lyapunov_two_layer_f64_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64_memory>(); lyapunov_two_layer_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64_memory &memory) noexcept { return Status(lyapunov_two_layer_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8131,11 +8152,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32x3_memory save() const noexcept { lyapunov_two_layer_f32x3_memory memory{}; lyapunov_two_layer_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x3_memory>(); lyapunov_two_layer_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8163,11 +8184,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64x3_memory save() const noexcept { lyapunov_two_layer_f64x3_memory memory{}; lyapunov_two_layer_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x3_memory>(); lyapunov_two_layer_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8195,11 +8216,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32x6_memory save() const noexcept { lyapunov_two_layer_f32x6_memory memory{}; lyapunov_two_layer_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x6_memory>(); lyapunov_two_layer_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8227,11 +8248,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64x6_memory save() const noexcept { lyapunov_two_layer_f64x6_memory memory{}; lyapunov_two_layer_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x6_memory>(); lyapunov_two_layer_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8259,11 +8280,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32screw_memory save() const noexcept { lyapunov_two_layer_f32screw_memory memory{}; lyapunov_two_layer_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32screw_memory>(); lyapunov_two_layer_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8291,11 +8312,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64screw_memory save() const noexcept { lyapunov_two_layer_f64screw_memory memory{}; lyapunov_two_layer_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64screw_memory>(); lyapunov_two_layer_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8326,17 +8347,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32_memory save() const noexcept { lyapunov_wave_transform_f32_memory memory{}; lyapunov_wave_transform_f32_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32_memory>(); lyapunov_wave_transform_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32 encode(float flow, float effort) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f32 encode(float flow, float effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32 decode(float there, float back) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f32 decode(float there, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32 effort(float flow, float back) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f32 effort(float flow, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32 flow(float effort, float there) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f32 flow(float effort, float there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8352,17 +8373,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64_memory save() const noexcept { lyapunov_wave_transform_f64_memory memory{}; lyapunov_wave_transform_f64_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64_memory>(); lyapunov_wave_transform_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64 encode(double flow, double effort) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f64 encode(double flow, double effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64 decode(double there, double back) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f64 decode(double there, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64 effort(double flow, double back) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f64 effort(double flow, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64 flow(double effort, double there) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f64 flow(double effort, double there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8378,17 +8399,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32x3_memory save() const noexcept { lyapunov_wave_transform_f32x3_memory memory{}; lyapunov_wave_transform_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x3_memory>(); lyapunov_wave_transform_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x3_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8404,17 +8425,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64x3_memory save() const noexcept { lyapunov_wave_transform_f64x3_memory memory{}; lyapunov_wave_transform_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x3_memory>(); lyapunov_wave_transform_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x3_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8430,17 +8451,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32x6_memory save() const noexcept { lyapunov_wave_transform_f32x6_memory memory{}; lyapunov_wave_transform_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x6_memory>(); lyapunov_wave_transform_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x6_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8456,17 +8477,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64x6_memory save() const noexcept { lyapunov_wave_transform_f64x6_memory memory{}; lyapunov_wave_transform_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x6_memory>(); lyapunov_wave_transform_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x6_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8482,17 +8503,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32screw_memory save() const noexcept { lyapunov_wave_transform_f32screw_memory memory{}; lyapunov_wave_transform_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32screw_memory>(); lyapunov_wave_transform_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32screw_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8508,17 +8529,17 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64screw_memory save() const noexcept { lyapunov_wave_transform_f64screw_memory memory{}; lyapunov_wave_transform_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64screw_memory>(); lyapunov_wave_transform_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64screw_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8537,11 +8558,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32_memory save() const noexcept { lyapunov_wave_filter_f32_memory memory{}; lyapunov_wave_filter_f32_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32_memory>(); lyapunov_wave_filter_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    float pass(float wave) noexcept { float sent{}; lyapunov_wave_filter_f32_pass(&storage, wave, &sent); return sent; }
+    float pass(float wave) noexcept { auto sent = detail::unanswered<float>(); lyapunov_wave_filter_f32_pass(&storage, wave, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8557,11 +8578,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64_memory save() const noexcept { lyapunov_wave_filter_f64_memory memory{}; lyapunov_wave_filter_f64_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64_memory>(); lyapunov_wave_filter_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    double pass(double wave) noexcept { double sent{}; lyapunov_wave_filter_f64_pass(&storage, wave, &sent); return sent; }
+    double pass(double wave) noexcept { auto sent = detail::unanswered<double>(); lyapunov_wave_filter_f64_pass(&storage, wave, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8577,11 +8598,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32x3_memory save() const noexcept { lyapunov_wave_filter_f32x3_memory memory{}; lyapunov_wave_filter_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x3_memory>(); lyapunov_wave_filter_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x3_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f32x3 pass(View<float, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x3>(wave); lyapunov_f32x3 sent{}; lyapunov_wave_filter_f32x3_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f32x3 pass(View<float, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x3>(wave); auto sent = detail::unanswered<lyapunov_f32x3>(); lyapunov_wave_filter_f32x3_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8597,11 +8618,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64x3_memory save() const noexcept { lyapunov_wave_filter_f64x3_memory memory{}; lyapunov_wave_filter_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x3_memory>(); lyapunov_wave_filter_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x3_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f64x3 pass(View<double, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x3>(wave); lyapunov_f64x3 sent{}; lyapunov_wave_filter_f64x3_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f64x3 pass(View<double, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x3>(wave); auto sent = detail::unanswered<lyapunov_f64x3>(); lyapunov_wave_filter_f64x3_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8617,11 +8638,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32x6_memory save() const noexcept { lyapunov_wave_filter_f32x6_memory memory{}; lyapunov_wave_filter_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x6_memory>(); lyapunov_wave_filter_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x6_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f32x6 pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x6>(wave); lyapunov_f32x6 sent{}; lyapunov_wave_filter_f32x6_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f32x6 pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x6>(wave); auto sent = detail::unanswered<lyapunov_f32x6>(); lyapunov_wave_filter_f32x6_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8637,11 +8658,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64x6_memory save() const noexcept { lyapunov_wave_filter_f64x6_memory memory{}; lyapunov_wave_filter_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x6_memory>(); lyapunov_wave_filter_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x6_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f64x6 pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x6>(wave); lyapunov_f64x6 sent{}; lyapunov_wave_filter_f64x6_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f64x6 pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x6>(wave); auto sent = detail::unanswered<lyapunov_f64x6>(); lyapunov_wave_filter_f64x6_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8657,11 +8678,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32screw_memory save() const noexcept { lyapunov_wave_filter_f32screw_memory memory{}; lyapunov_wave_filter_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32screw_memory>(); lyapunov_wave_filter_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32screw_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f32screw pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32screw>(wave); lyapunov_f32screw sent{}; lyapunov_wave_filter_f32screw_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f32screw pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32screw>(wave); auto sent = detail::unanswered<lyapunov_f32screw>(); lyapunov_wave_filter_f32screw_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8677,11 +8698,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64screw_memory save() const noexcept { lyapunov_wave_filter_f64screw_memory memory{}; lyapunov_wave_filter_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64screw_memory>(); lyapunov_wave_filter_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64screw_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f64screw pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64screw>(wave); lyapunov_f64screw sent{}; lyapunov_wave_filter_f64screw_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f64screw pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64screw>(wave); auto sent = detail::unanswered<lyapunov_f64screw>(); lyapunov_wave_filter_f64screw_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8700,11 +8721,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32_memory save() const noexcept { lyapunov_wave_follower_f32_memory memory{}; lyapunov_wave_follower_f32_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32_memory>(); lyapunov_wave_follower_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8720,11 +8741,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64_memory save() const noexcept { lyapunov_wave_follower_f64_memory memory{}; lyapunov_wave_follower_f64_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64_memory>(); lyapunov_wave_follower_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8740,11 +8761,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32x3_memory save() const noexcept { lyapunov_wave_follower_f32x3_memory memory{}; lyapunov_wave_follower_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x3_memory>(); lyapunov_wave_follower_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x3_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); lyapunov_wave_f32x3 wave{}; lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8760,11 +8781,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64x3_memory save() const noexcept { lyapunov_wave_follower_f64x3_memory memory{}; lyapunov_wave_follower_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x3_memory>(); lyapunov_wave_follower_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x3_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); lyapunov_wave_f64x3 wave{}; lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8780,11 +8801,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32x6_memory save() const noexcept { lyapunov_wave_follower_f32x6_memory memory{}; lyapunov_wave_follower_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x6_memory>(); lyapunov_wave_follower_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x6_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); lyapunov_wave_f32x6 wave{}; lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8800,11 +8821,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64x6_memory save() const noexcept { lyapunov_wave_follower_f64x6_memory memory{}; lyapunov_wave_follower_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x6_memory>(); lyapunov_wave_follower_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x6_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); lyapunov_wave_f64x6 wave{}; lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8820,11 +8841,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32screw_memory save() const noexcept { lyapunov_wave_follower_f32screw_memory memory{}; lyapunov_wave_follower_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32screw_memory>(); lyapunov_wave_follower_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32screw_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); lyapunov_wave_f32screw wave{}; lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8840,11 +8861,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64screw_memory save() const noexcept { lyapunov_wave_follower_f64screw_memory memory{}; lyapunov_wave_follower_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64screw_memory>(); lyapunov_wave_follower_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64screw_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); lyapunov_wave_f64screw wave{}; lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8863,11 +8884,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32_memory save() const noexcept { lyapunov_observer_f32_memory memory{}; lyapunov_observer_f32_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32_memory>(); lyapunov_observer_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32_memory &memory) noexcept { return Status(lyapunov_observer_f32_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32 &sample) noexcept { float energy{}; lyapunov_observer_f32_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8883,11 +8904,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64_memory save() const noexcept { lyapunov_observer_f64_memory memory{}; lyapunov_observer_f64_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64_memory>(); lyapunov_observer_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64_memory &memory) noexcept { return Status(lyapunov_observer_f64_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64 &sample) noexcept { double energy{}; lyapunov_observer_f64_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8903,11 +8924,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32x3_memory save() const noexcept { lyapunov_observer_f32x3_memory memory{}; lyapunov_observer_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x3_memory>(); lyapunov_observer_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32x3_memory &memory) noexcept { return Status(lyapunov_observer_f32x3_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32x3 &sample) noexcept { float energy{}; lyapunov_observer_f32x3_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32x3 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x3_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8923,11 +8944,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64x3_memory save() const noexcept { lyapunov_observer_f64x3_memory memory{}; lyapunov_observer_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x3_memory>(); lyapunov_observer_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64x3_memory &memory) noexcept { return Status(lyapunov_observer_f64x3_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64x3 &sample) noexcept { double energy{}; lyapunov_observer_f64x3_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64x3 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x3_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8943,11 +8964,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32x6_memory save() const noexcept { lyapunov_observer_f32x6_memory memory{}; lyapunov_observer_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x6_memory>(); lyapunov_observer_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32x6_memory &memory) noexcept { return Status(lyapunov_observer_f32x6_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32x6 &sample) noexcept { float energy{}; lyapunov_observer_f32x6_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32x6 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x6_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8963,11 +8984,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64x6_memory save() const noexcept { lyapunov_observer_f64x6_memory memory{}; lyapunov_observer_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x6_memory>(); lyapunov_observer_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64x6_memory &memory) noexcept { return Status(lyapunov_observer_f64x6_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64x6 &sample) noexcept { double energy{}; lyapunov_observer_f64x6_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64x6 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x6_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8983,11 +9004,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32screw_memory save() const noexcept { lyapunov_observer_f32screw_memory memory{}; lyapunov_observer_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32screw_memory>(); lyapunov_observer_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32screw_memory &memory) noexcept { return Status(lyapunov_observer_f32screw_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32screw &sample) noexcept { float energy{}; lyapunov_observer_f32screw_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32screw &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32screw_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -9003,11 +9024,11 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64screw_memory save() const noexcept { lyapunov_observer_f64screw_memory memory{}; lyapunov_observer_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64screw_memory>(); lyapunov_observer_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64screw_memory &memory) noexcept { return Status(lyapunov_observer_f64screw_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64screw &sample) noexcept { double energy{}; lyapunov_observer_f64screw_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64screw &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64screw_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -9026,13 +9047,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32_memory save() const noexcept { lyapunov_energy_meter_f32_memory memory{}; lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32_memory>(); lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f32 &sample, const lyapunov_correction_f32 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9048,13 +9069,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64_memory save() const noexcept { lyapunov_energy_meter_f64_memory memory{}; lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64_memory>(); lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f64 &sample, const lyapunov_correction_f64 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9070,13 +9091,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32x3_memory save() const noexcept { lyapunov_energy_meter_f32x3_memory memory{}; lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x3_memory>(); lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x3_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f32x3 &sample, const lyapunov_correction_f32x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32x3_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x3_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9092,13 +9113,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64x3_memory save() const noexcept { lyapunov_energy_meter_f64x3_memory memory{}; lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x3_memory>(); lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x3_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f64x3 &sample, const lyapunov_correction_f64x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64x3_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x3_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9114,13 +9135,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32x6_memory save() const noexcept { lyapunov_energy_meter_f32x6_memory memory{}; lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x6_memory>(); lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x6_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f32x6 &sample, const lyapunov_correction_f32x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32x6_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x6_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9136,13 +9157,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64x6_memory save() const noexcept { lyapunov_energy_meter_f64x6_memory memory{}; lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x6_memory>(); lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x6_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f64x6 &sample, const lyapunov_correction_f64x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64x6_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x6_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9158,13 +9179,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32screw_memory save() const noexcept { lyapunov_energy_meter_f32screw_memory memory{}; lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32screw_memory>(); lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32screw_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f32screw &sample, const lyapunov_correction_f32screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32screw_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32screw_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9180,13 +9201,13 @@ public:
     /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64screw_memory save() const noexcept { lyapunov_energy_meter_f64screw_memory memory{}; lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64screw_memory>(); lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64screw_restore(&storage, &memory)); }
     /* Adds a tick. */
     Code add(const lyapunov_sample_f64screw &sample, const lyapunov_correction_f64screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64screw_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64screw_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
