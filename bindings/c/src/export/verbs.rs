@@ -66,7 +66,8 @@ macro_rules! verbs {
     };
     (meter, $name:literal, $signal:literal) => {
         $crate::export::exported! { $name, $signal, describe;
-            /// Adds a tick.
+            /// Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not
+            /// counted.
             fn add(storage: *mut Storage<Block>, sample: *const SampleForm<V>, correction: *const CorrectionForm<V>) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe { $crate::watched::add(storage, sample, correction) }
