@@ -3276,7 +3276,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_resta
 typedef struct lyapunov_popc_f32_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32_parameters) == 8, lyapunov_popc_f32_parameters_size);
@@ -3323,7 +3324,8 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32_owe(lyapunov_popc_f32 *storage, f
 typedef struct lyapunov_popc_f64_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64_parameters) == 16, lyapunov_popc_f64_parameters_size);
@@ -3370,7 +3372,8 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64_owe(lyapunov_popc_f64 *storage, d
 typedef struct lyapunov_popc_f32x3_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32x3_parameters) == 8, lyapunov_popc_f32x3_parameters_size);
@@ -3417,7 +3420,8 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_owe(lyapunov_popc_f32x3 *storag
 typedef struct lyapunov_popc_f64x3_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64x3_parameters) == 16, lyapunov_popc_f64x3_parameters_size);
@@ -3464,7 +3468,8 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_owe(lyapunov_popc_f64x3 *storag
 typedef struct lyapunov_popc_f32x6_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32x6_parameters) == 8, lyapunov_popc_f32x6_parameters_size);
@@ -3511,7 +3516,8 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_owe(lyapunov_popc_f32x6 *storag
 typedef struct lyapunov_popc_f64x6_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64x6_parameters) == 16, lyapunov_popc_f64x6_parameters_size);
@@ -3558,7 +3564,8 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_owe(lyapunov_popc_f64x6 *storag
 typedef struct lyapunov_popc_f32screw_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32screw_parameters) == 8, lyapunov_popc_f32screw_parameters_size);
@@ -3605,7 +3612,8 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_owe(lyapunov_popc_f32screw *
 typedef struct lyapunov_popc_f64screw_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64screw_parameters) == 16, lyapunov_popc_f64screw_parameters_size);
@@ -3653,7 +3661,8 @@ typedef struct lyapunov_lolc_f32_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32_parameters) == 12, lyapunov_lolc_f32_parameters_size);
@@ -3702,7 +3711,8 @@ typedef struct lyapunov_lolc_f64_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64_parameters) == 24, lyapunov_lolc_f64_parameters_size);
@@ -3751,7 +3761,8 @@ typedef struct lyapunov_lolc_f32x3_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32x3_parameters) == 12, lyapunov_lolc_f32x3_parameters_size);
@@ -3800,7 +3811,8 @@ typedef struct lyapunov_lolc_f64x3_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64x3_parameters) == 24, lyapunov_lolc_f64x3_parameters_size);
@@ -3849,7 +3861,8 @@ typedef struct lyapunov_lolc_f32x6_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32x6_parameters) == 12, lyapunov_lolc_f32x6_parameters_size);
@@ -3898,7 +3911,8 @@ typedef struct lyapunov_lolc_f64x6_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64x6_parameters) == 24, lyapunov_lolc_f64x6_parameters_size);
@@ -3947,7 +3961,8 @@ typedef struct lyapunov_lolc_f32screw_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32screw_parameters) == 12, lyapunov_lolc_f32screw_parameters_size);
@@ -3996,7 +4011,8 @@ typedef struct lyapunov_lolc_f64screw_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64screw_parameters) == 24, lyapunov_lolc_f64screw_parameters_size);
@@ -4045,7 +4061,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_f64screw_owe(lyapunov_lolc_f64screw *
 typedef struct lyapunov_lolc_custom_f32_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32_parameters) == 8, lyapunov_lolc_custom_f32_parameters_size);
@@ -4094,7 +4111,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32_owe(lyapunov_lolc_custom_f
 typedef struct lyapunov_lolc_custom_f64_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64_parameters) == 16, lyapunov_lolc_custom_f64_parameters_size);
@@ -4143,7 +4161,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64_owe(lyapunov_lolc_custom_f
 typedef struct lyapunov_lolc_custom_f32x3_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32x3_parameters) == 8, lyapunov_lolc_custom_f32x3_parameters_size);
@@ -4192,7 +4211,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x3_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f64x3_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64x3_parameters) == 16, lyapunov_lolc_custom_f64x3_parameters_size);
@@ -4241,7 +4261,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x3_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f32x6_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32x6_parameters) == 8, lyapunov_lolc_custom_f32x6_parameters_size);
@@ -4290,7 +4311,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x6_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f64x6_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64x6_parameters) == 16, lyapunov_lolc_custom_f64x6_parameters_size);
@@ -4339,7 +4361,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x6_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f32screw_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32screw_parameters) == 8, lyapunov_lolc_custom_f32screw_parameters_size);
@@ -4388,7 +4411,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32screw_owe(lyapunov_lolc_cus
 typedef struct lyapunov_lolc_custom_f64screw_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64screw_parameters) == 16, lyapunov_lolc_custom_f64screw_parameters_size);
@@ -4437,7 +4461,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64screw_owe(lyapunov_lolc_cus
 typedef struct lyapunov_lolc_storage_f32_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32_parameters) == 8, lyapunov_lolc_storage_f32_parameters_size);
@@ -4486,7 +4510,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32_owe(lyapunov_lolc_storage
 typedef struct lyapunov_lolc_storage_f64_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64_parameters) == 16, lyapunov_lolc_storage_f64_parameters_size);
@@ -4535,7 +4559,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64_owe(lyapunov_lolc_storage
 typedef struct lyapunov_lolc_storage_f32x3_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x3_parameters) == 8, lyapunov_lolc_storage_f32x3_parameters_size);
@@ -4584,7 +4608,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x3_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f64x3_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x3_parameters) == 16, lyapunov_lolc_storage_f64x3_parameters_size);
@@ -4633,7 +4657,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x3_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f32x6_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x6_parameters) == 8, lyapunov_lolc_storage_f32x6_parameters_size);
@@ -4682,7 +4706,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x6_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f64x6_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x6_parameters) == 16, lyapunov_lolc_storage_f64x6_parameters_size);
@@ -4731,7 +4755,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x6_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f32screw_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32screw_parameters) == 8, lyapunov_lolc_storage_f32screw_parameters_size);
@@ -4780,7 +4804,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32screw_owe(lyapunov_lolc_st
 typedef struct lyapunov_lolc_storage_f64screw_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64screw_parameters) == 16, lyapunov_lolc_storage_f64screw_parameters_size);
@@ -4833,7 +4857,8 @@ typedef struct lyapunov_lolc_in_contact_f32_parameters {
     float wall_damping;
     /* Position of the wall's surface, m; contact is beyond it. */
     float surface;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_in_contact_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_in_contact_f32_parameters) == 16, lyapunov_lolc_in_contact_f32_parameters_size);
@@ -4887,7 +4912,8 @@ typedef struct lyapunov_lolc_in_contact_f64_parameters {
     double wall_damping;
     /* Position of the wall's surface, m; contact is beyond it. */
     double surface;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_in_contact_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_in_contact_f64_parameters) == 32, lyapunov_lolc_in_contact_f64_parameters_size);
@@ -9119,7 +9145,8 @@ typedef struct lyapunov_plausible_f32_parameters {
     lyapunov_lolc_f32_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32_parameters) == 20, lyapunov_plausible_f32_parameters_size);
@@ -9168,7 +9195,8 @@ typedef struct lyapunov_plausible_f64_parameters {
     lyapunov_lolc_f64_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64_parameters) == 40, lyapunov_plausible_f64_parameters_size);
@@ -9217,7 +9245,8 @@ typedef struct lyapunov_plausible_f32x3_parameters {
     lyapunov_lolc_f32x3_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32x3_parameters) == 20, lyapunov_plausible_f32x3_parameters_size);
@@ -9266,7 +9295,8 @@ typedef struct lyapunov_plausible_f64x3_parameters {
     lyapunov_lolc_f64x3_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64x3_parameters) == 40, lyapunov_plausible_f64x3_parameters_size);
@@ -9315,7 +9345,8 @@ typedef struct lyapunov_plausible_f32x6_parameters {
     lyapunov_lolc_f32x6_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32x6_parameters) == 20, lyapunov_plausible_f32x6_parameters_size);
@@ -9364,7 +9395,8 @@ typedef struct lyapunov_plausible_f64x6_parameters {
     lyapunov_lolc_f64x6_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64x6_parameters) == 40, lyapunov_plausible_f64x6_parameters_size);
@@ -9413,7 +9445,8 @@ typedef struct lyapunov_plausible_f32screw_parameters {
     lyapunov_lolc_f32screw_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32screw_parameters) == 20, lyapunov_plausible_f32screw_parameters_size);
@@ -9462,7 +9495,8 @@ typedef struct lyapunov_plausible_f64screw_parameters {
     lyapunov_lolc_f64screw_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64screw_parameters) == 40, lyapunov_plausible_f64screw_parameters_size);
@@ -9917,7 +9951,8 @@ typedef struct lyapunov_safeguarded_f32_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -9980,7 +10015,8 @@ typedef struct lyapunov_safeguarded_f64_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10043,7 +10079,8 @@ typedef struct lyapunov_safeguarded_f32x3_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -10106,7 +10143,8 @@ typedef struct lyapunov_safeguarded_f64x3_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10169,7 +10207,8 @@ typedef struct lyapunov_safeguarded_f32x6_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -10232,7 +10271,8 @@ typedef struct lyapunov_safeguarded_f64x6_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10295,7 +10335,8 @@ typedef struct lyapunov_safeguarded_f32screw_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -10358,7 +10399,8 @@ typedef struct lyapunov_safeguarded_f64screw_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10640,7 +10682,8 @@ typedef struct lyapunov_part_limits_f32screw_parameters {
     float translation_damping;
     /* Damping of rotation that the device surely has, N.m.s/rad. */
     float rotation_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_part_limits_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_part_limits_f32screw_parameters) == 20, lyapunov_part_limits_f32screw_parameters_size);
@@ -10696,7 +10739,8 @@ typedef struct lyapunov_part_limits_f64screw_parameters {
     double translation_damping;
     /* Damping of rotation that the device surely has, N.m.s/rad. */
     double rotation_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_part_limits_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_part_limits_f64screw_parameters) == 40, lyapunov_part_limits_f64screw_parameters_size);
@@ -12672,7 +12716,8 @@ typedef struct lyapunov_least_norm_f32_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32_parameters) == 16, lyapunov_least_norm_f32_parameters_size);
@@ -12725,7 +12770,8 @@ typedef struct lyapunov_least_norm_f64_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64_parameters) == 32, lyapunov_least_norm_f64_parameters_size);
@@ -12778,7 +12824,8 @@ typedef struct lyapunov_least_norm_f32x3_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32x3_parameters) == 16, lyapunov_least_norm_f32x3_parameters_size);
@@ -12831,7 +12878,8 @@ typedef struct lyapunov_least_norm_f64x3_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64x3_parameters) == 32, lyapunov_least_norm_f64x3_parameters_size);
@@ -12884,7 +12932,8 @@ typedef struct lyapunov_least_norm_f32x6_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32x6_parameters) == 16, lyapunov_least_norm_f32x6_parameters_size);
@@ -12937,7 +12986,8 @@ typedef struct lyapunov_least_norm_f64x6_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64x6_parameters) == 32, lyapunov_least_norm_f64x6_parameters_size);
@@ -12990,7 +13040,8 @@ typedef struct lyapunov_least_norm_f32screw_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32screw_parameters) == 16, lyapunov_least_norm_f32screw_parameters_size);
@@ -13043,7 +13094,8 @@ typedef struct lyapunov_least_norm_f64screw_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64screw_parameters) == 32, lyapunov_least_norm_f64screw_parameters_size);
@@ -16202,7 +16254,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32_retune(lyapunov_energy_me
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_save(const lyapunov_energy_meter_f32 *storage, lyapunov_energy_meter_f32_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32_restore(lyapunov_energy_meter_f32 *storage, const lyapunov_energy_meter_f32_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_add(lyapunov_energy_meter_f32 *storage, const lyapunov_sample_f32 *sample, const lyapunov_correction_f32 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_summary(const lyapunov_energy_meter_f32 *storage, lyapunov_energy_summary_f32 *summary);
@@ -16240,7 +16293,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64_retune(lyapunov_energy_me
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_save(const lyapunov_energy_meter_f64 *storage, lyapunov_energy_meter_f64_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64_restore(lyapunov_energy_meter_f64 *storage, const lyapunov_energy_meter_f64_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_add(lyapunov_energy_meter_f64 *storage, const lyapunov_sample_f64 *sample, const lyapunov_correction_f64 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_summary(const lyapunov_energy_meter_f64 *storage, lyapunov_energy_summary_f64 *summary);
@@ -16278,7 +16332,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x3_retune(lyapunov_energy_
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_save(const lyapunov_energy_meter_f32x3 *storage, lyapunov_energy_meter_f32x3_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x3_restore(lyapunov_energy_meter_f32x3 *storage, const lyapunov_energy_meter_f32x3_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_add(lyapunov_energy_meter_f32x3 *storage, const lyapunov_sample_f32x3 *sample, const lyapunov_correction_f32x3 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_summary(const lyapunov_energy_meter_f32x3 *storage, lyapunov_energy_summary_f32 *summary);
@@ -16316,7 +16371,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x3_retune(lyapunov_energy_
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_save(const lyapunov_energy_meter_f64x3 *storage, lyapunov_energy_meter_f64x3_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x3_restore(lyapunov_energy_meter_f64x3 *storage, const lyapunov_energy_meter_f64x3_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_add(lyapunov_energy_meter_f64x3 *storage, const lyapunov_sample_f64x3 *sample, const lyapunov_correction_f64x3 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_summary(const lyapunov_energy_meter_f64x3 *storage, lyapunov_energy_summary_f64 *summary);
@@ -16354,7 +16410,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x6_retune(lyapunov_energy_
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_save(const lyapunov_energy_meter_f32x6 *storage, lyapunov_energy_meter_f32x6_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x6_restore(lyapunov_energy_meter_f32x6 *storage, const lyapunov_energy_meter_f32x6_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_add(lyapunov_energy_meter_f32x6 *storage, const lyapunov_sample_f32x6 *sample, const lyapunov_correction_f32x6 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_summary(const lyapunov_energy_meter_f32x6 *storage, lyapunov_energy_summary_f32 *summary);
@@ -16392,7 +16449,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x6_retune(lyapunov_energy_
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_save(const lyapunov_energy_meter_f64x6 *storage, lyapunov_energy_meter_f64x6_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x6_restore(lyapunov_energy_meter_f64x6 *storage, const lyapunov_energy_meter_f64x6_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_add(lyapunov_energy_meter_f64x6 *storage, const lyapunov_sample_f64x6 *sample, const lyapunov_correction_f64x6 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_summary(const lyapunov_energy_meter_f64x6 *storage, lyapunov_energy_summary_f64 *summary);
@@ -16430,7 +16488,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32screw_retune(lyapunov_ener
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_save(const lyapunov_energy_meter_f32screw *storage, lyapunov_energy_meter_f32screw_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32screw_restore(lyapunov_energy_meter_f32screw *storage, const lyapunov_energy_meter_f32screw_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_add(lyapunov_energy_meter_f32screw *storage, const lyapunov_sample_f32screw *sample, const lyapunov_correction_f32screw *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_summary(const lyapunov_energy_meter_f32screw *storage, lyapunov_energy_summary_f32 *summary);
@@ -16468,7 +16527,8 @@ LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64screw_retune(lyapunov_ener
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64screw_save(const lyapunov_energy_meter_f64screw *storage, lyapunov_energy_meter_f64screw_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64screw_restore(lyapunov_energy_meter_f64screw *storage, const lyapunov_energy_meter_f64screw_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64screw_add(lyapunov_energy_meter_f64screw *storage, const lyapunov_sample_f64screw *sample, const lyapunov_correction_f64screw *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64screw_summary(const lyapunov_energy_meter_f64screw *storage, lyapunov_energy_summary_f64 *summary);

@@ -9050,7 +9050,7 @@ public:
     lyapunov_energy_meter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32_memory>(); lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32 &sample, const lyapunov_correction_f32 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32_summary(&storage, &summary); return summary; }
@@ -9072,7 +9072,7 @@ public:
     lyapunov_energy_meter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64_memory>(); lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64 &sample, const lyapunov_correction_f64 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64_summary(&storage, &summary); return summary; }
@@ -9094,7 +9094,7 @@ public:
     lyapunov_energy_meter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x3_memory>(); lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x3_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x3 &sample, const lyapunov_correction_f32x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x3_summary(&storage, &summary); return summary; }
@@ -9116,7 +9116,7 @@ public:
     lyapunov_energy_meter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x3_memory>(); lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x3_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x3 &sample, const lyapunov_correction_f64x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x3_summary(&storage, &summary); return summary; }
@@ -9138,7 +9138,7 @@ public:
     lyapunov_energy_meter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x6_memory>(); lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x6_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x6 &sample, const lyapunov_correction_f32x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x6_summary(&storage, &summary); return summary; }
@@ -9160,7 +9160,7 @@ public:
     lyapunov_energy_meter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x6_memory>(); lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x6_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x6 &sample, const lyapunov_correction_f64x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x6_summary(&storage, &summary); return summary; }
@@ -9182,7 +9182,7 @@ public:
     lyapunov_energy_meter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32screw_memory>(); lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32screw_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32screw &sample, const lyapunov_correction_f32screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32screw_summary(&storage, &summary); return summary; }
@@ -9204,7 +9204,7 @@ public:
     lyapunov_energy_meter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64screw_memory>(); lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64screw_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64screw &sample, const lyapunov_correction_f64screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64screw_summary(&storage, &summary); return summary; }

@@ -13,7 +13,8 @@ blocks! {
         {
             /// Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes.
             damping_limit: T,
-            /// Energy stored in the loop at the start, which may come back, J; usually 0.
+            /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
+            /// not, and later there is `grant`.
             budget: T,
         };
         |given| Popc::new(PortEnergy, limit(given.damping_limit)?).budgeted(given.budget);
@@ -28,7 +29,8 @@ blocks! {
             damping_limit: T,
             /// Damping that the device surely has, N.s/m.
             device_damping: T,
-            /// Energy stored in the loop at the start, which may come back, J; usually 0.
+            /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
+            /// not, and later there is `grant`.
             budget: T,
         };
         |given| {
