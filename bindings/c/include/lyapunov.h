@@ -886,7 +886,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32_memory, word) == 0, lyapunov_read
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32_init_abi(lyapunov_readings_f32 *storage, const lyapunov_readings_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32_init(storage, parameters) lyapunov_readings_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32_retune(lyapunov_readings_f32 *storage, const lyapunov_readings_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32_save(const lyapunov_readings_f32 *storage, lyapunov_readings_f32_memory *memory);
@@ -931,7 +932,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64_memory, word) == 0, lyapunov_read
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64_init_abi(lyapunov_readings_f64 *storage, const lyapunov_readings_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64_init(storage, parameters) lyapunov_readings_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64_retune(lyapunov_readings_f64 *storage, const lyapunov_readings_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64_save(const lyapunov_readings_f64 *storage, lyapunov_readings_f64_memory *memory);
@@ -976,7 +978,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x3_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x3_init_abi(lyapunov_readings_f32x3 *storage, const lyapunov_readings_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32x3_init(storage, parameters) lyapunov_readings_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x3_retune(lyapunov_readings_f32x3 *storage, const lyapunov_readings_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32x3_save(const lyapunov_readings_f32x3 *storage, lyapunov_readings_f32x3_memory *memory);
@@ -1021,7 +1024,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x3_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x3_init_abi(lyapunov_readings_f64x3 *storage, const lyapunov_readings_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64x3_init(storage, parameters) lyapunov_readings_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x3_retune(lyapunov_readings_f64x3 *storage, const lyapunov_readings_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64x3_save(const lyapunov_readings_f64x3 *storage, lyapunov_readings_f64x3_memory *memory);
@@ -1066,7 +1070,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x6_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x6_init_abi(lyapunov_readings_f32x6 *storage, const lyapunov_readings_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32x6_init(storage, parameters) lyapunov_readings_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x6_retune(lyapunov_readings_f32x6 *storage, const lyapunov_readings_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32x6_save(const lyapunov_readings_f32x6 *storage, lyapunov_readings_f32x6_memory *memory);
@@ -1111,7 +1116,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x6_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x6_init_abi(lyapunov_readings_f64x6 *storage, const lyapunov_readings_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64x6_init(storage, parameters) lyapunov_readings_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x6_retune(lyapunov_readings_f64x6 *storage, const lyapunov_readings_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64x6_save(const lyapunov_readings_f64x6 *storage, lyapunov_readings_f64x6_memory *memory);
@@ -1156,7 +1162,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32screw_init_abi(lyapunov_readings_f32screw *storage, const lyapunov_readings_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32screw_init(storage, parameters) lyapunov_readings_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32screw_retune(lyapunov_readings_f32screw *storage, const lyapunov_readings_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32screw_save(const lyapunov_readings_f32screw *storage, lyapunov_readings_f32screw_memory *memory);
@@ -1201,7 +1208,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64screw_init_abi(lyapunov_readings_f64screw *storage, const lyapunov_readings_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64screw_init(storage, parameters) lyapunov_readings_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64screw_retune(lyapunov_readings_f64screw *storage, const lyapunov_readings_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64screw_save(const lyapunov_readings_f64screw *storage, lyapunov_readings_f64screw_memory *memory);
@@ -1245,7 +1253,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32_init_abi(lyapunov_readings_measured_f32 *storage, const lyapunov_readings_measured_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32_init(storage, parameters) lyapunov_readings_measured_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32_retune(lyapunov_readings_measured_f32 *storage, const lyapunov_readings_measured_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32_save(const lyapunov_readings_measured_f32 *storage, lyapunov_readings_measured_f32_memory *memory);
@@ -1290,7 +1299,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64_init_abi(lyapunov_readings_measured_f64 *storage, const lyapunov_readings_measured_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64_init(storage, parameters) lyapunov_readings_measured_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64_retune(lyapunov_readings_measured_f64 *storage, const lyapunov_readings_measured_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64_save(const lyapunov_readings_measured_f64 *storage, lyapunov_readings_measured_f64_memory *memory);
@@ -1335,7 +1345,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x3_init_abi(lyapunov_readings_measured_f32x3 *storage, const lyapunov_readings_measured_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32x3_init(storage, parameters) lyapunov_readings_measured_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x3_retune(lyapunov_readings_measured_f32x3 *storage, const lyapunov_readings_measured_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32x3_save(const lyapunov_readings_measured_f32x3 *storage, lyapunov_readings_measured_f32x3_memory *memory);
@@ -1380,7 +1391,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x3_init_abi(lyapunov_readings_measured_f64x3 *storage, const lyapunov_readings_measured_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64x3_init(storage, parameters) lyapunov_readings_measured_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x3_retune(lyapunov_readings_measured_f64x3 *storage, const lyapunov_readings_measured_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64x3_save(const lyapunov_readings_measured_f64x3 *storage, lyapunov_readings_measured_f64x3_memory *memory);
@@ -1425,7 +1437,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x6_init_abi(lyapunov_readings_measured_f32x6 *storage, const lyapunov_readings_measured_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32x6_init(storage, parameters) lyapunov_readings_measured_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x6_retune(lyapunov_readings_measured_f32x6 *storage, const lyapunov_readings_measured_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32x6_save(const lyapunov_readings_measured_f32x6 *storage, lyapunov_readings_measured_f32x6_memory *memory);
@@ -1470,7 +1483,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x6_init_abi(lyapunov_readings_measured_f64x6 *storage, const lyapunov_readings_measured_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64x6_init(storage, parameters) lyapunov_readings_measured_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x6_retune(lyapunov_readings_measured_f64x6 *storage, const lyapunov_readings_measured_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64x6_save(const lyapunov_readings_measured_f64x6 *storage, lyapunov_readings_measured_f64x6_memory *memory);
@@ -1515,7 +1529,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32screw_init_abi(lyapunov_readings_measured_f32screw *storage, const lyapunov_readings_measured_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32screw_init(storage, parameters) lyapunov_readings_measured_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32screw_retune(lyapunov_readings_measured_f32screw *storage, const lyapunov_readings_measured_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32screw_save(const lyapunov_readings_measured_f32screw *storage, lyapunov_readings_measured_f32screw_memory *memory);
@@ -1560,7 +1575,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64screw_init_abi(lyapunov_readings_measured_f64screw *storage, const lyapunov_readings_measured_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64screw_init(storage, parameters) lyapunov_readings_measured_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64screw_retune(lyapunov_readings_measured_f64screw *storage, const lyapunov_readings_measured_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64screw_save(const lyapunov_readings_measured_f64screw *storage, lyapunov_readings_measured_f64screw_memory *memory);
@@ -1608,7 +1624,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32_init_abi(lyapunov_readings_low_passed_f32 *storage, const lyapunov_readings_low_passed_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f32_init(storage, parameters) lyapunov_readings_low_passed_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32_retune(lyapunov_readings_low_passed_f32 *storage, const lyapunov_readings_low_passed_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32_save(const lyapunov_readings_low_passed_f32 *storage, lyapunov_readings_low_passed_f32_memory *memory);
@@ -1655,7 +1672,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64_init_abi(lyapunov_readings_low_passed_f64 *storage, const lyapunov_readings_low_passed_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f64_init(storage, parameters) lyapunov_readings_low_passed_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64_retune(lyapunov_readings_low_passed_f64 *storage, const lyapunov_readings_low_passed_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64_save(const lyapunov_readings_low_passed_f64 *storage, lyapunov_readings_low_passed_f64_memory *memory);
@@ -1702,7 +1720,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x3_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x3_init_abi(lyapunov_readings_low_passed_f32x3 *storage, const lyapunov_readings_low_passed_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f32x3_init(storage, parameters) lyapunov_readings_low_passed_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x3_retune(lyapunov_readings_low_passed_f32x3 *storage, const lyapunov_readings_low_passed_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32x3_save(const lyapunov_readings_low_passed_f32x3 *storage, lyapunov_readings_low_passed_f32x3_memory *memory);
@@ -1749,7 +1768,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x3_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x3_init_abi(lyapunov_readings_low_passed_f64x3 *storage, const lyapunov_readings_low_passed_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f64x3_init(storage, parameters) lyapunov_readings_low_passed_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x3_retune(lyapunov_readings_low_passed_f64x3 *storage, const lyapunov_readings_low_passed_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64x3_save(const lyapunov_readings_low_passed_f64x3 *storage, lyapunov_readings_low_passed_f64x3_memory *memory);
@@ -1796,7 +1816,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x6_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x6_init_abi(lyapunov_readings_low_passed_f32x6 *storage, const lyapunov_readings_low_passed_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f32x6_init(storage, parameters) lyapunov_readings_low_passed_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x6_retune(lyapunov_readings_low_passed_f32x6 *storage, const lyapunov_readings_low_passed_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32x6_save(const lyapunov_readings_low_passed_f32x6 *storage, lyapunov_readings_low_passed_f32x6_memory *memory);
@@ -1843,7 +1864,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x6_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x6_init_abi(lyapunov_readings_low_passed_f64x6 *storage, const lyapunov_readings_low_passed_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f64x6_init(storage, parameters) lyapunov_readings_low_passed_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x6_retune(lyapunov_readings_low_passed_f64x6 *storage, const lyapunov_readings_low_passed_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64x6_save(const lyapunov_readings_low_passed_f64x6 *storage, lyapunov_readings_low_passed_f64x6_memory *memory);
@@ -1893,7 +1915,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32_init_abi(lyapunov_readings_windowed_f32 *storage, const lyapunov_readings_windowed_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f32_init(storage, parameters) lyapunov_readings_windowed_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32_retune(lyapunov_readings_windowed_f32 *storage, const lyapunov_readings_windowed_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32_save(const lyapunov_readings_windowed_f32 *storage, lyapunov_readings_windowed_f32_memory *memory);
@@ -1943,7 +1966,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64_init_abi(lyapunov_readings_windowed_f64 *storage, const lyapunov_readings_windowed_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f64_init(storage, parameters) lyapunov_readings_windowed_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64_retune(lyapunov_readings_windowed_f64 *storage, const lyapunov_readings_windowed_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64_save(const lyapunov_readings_windowed_f64 *storage, lyapunov_readings_windowed_f64_memory *memory);
@@ -1993,7 +2017,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x3_init_abi(lyapunov_readings_windowed_f32x3 *storage, const lyapunov_readings_windowed_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f32x3_init(storage, parameters) lyapunov_readings_windowed_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x3_retune(lyapunov_readings_windowed_f32x3 *storage, const lyapunov_readings_windowed_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32x3_save(const lyapunov_readings_windowed_f32x3 *storage, lyapunov_readings_windowed_f32x3_memory *memory);
@@ -2043,7 +2068,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x3_init_abi(lyapunov_readings_windowed_f64x3 *storage, const lyapunov_readings_windowed_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f64x3_init(storage, parameters) lyapunov_readings_windowed_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x3_retune(lyapunov_readings_windowed_f64x3 *storage, const lyapunov_readings_windowed_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x3_save(const lyapunov_readings_windowed_f64x3 *storage, lyapunov_readings_windowed_f64x3_memory *memory);
@@ -2093,7 +2119,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x6_init_abi(lyapunov_readings_windowed_f32x6 *storage, const lyapunov_readings_windowed_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f32x6_init(storage, parameters) lyapunov_readings_windowed_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x6_retune(lyapunov_readings_windowed_f32x6 *storage, const lyapunov_readings_windowed_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32x6_save(const lyapunov_readings_windowed_f32x6 *storage, lyapunov_readings_windowed_f32x6_memory *memory);
@@ -2143,7 +2170,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x6_init_abi(lyapunov_readings_windowed_f64x6 *storage, const lyapunov_readings_windowed_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f64x6_init(storage, parameters) lyapunov_readings_windowed_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x6_retune(lyapunov_readings_windowed_f64x6 *storage, const lyapunov_readings_windowed_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x6_save(const lyapunov_readings_windowed_f64x6 *storage, lyapunov_readings_windowed_f64x6_memory *memory);
@@ -2162,7 +2190,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x6_restart(lyapunov_readings
 typedef struct lyapunov_readings_clocked_f32_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32_parameters) == 8, lyapunov_readings_clocked_f32_parameters_size);
@@ -2187,7 +2216,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32_init_abi(lyapunov_readings_clocked_f32 *storage, const lyapunov_readings_clocked_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f32_init(storage, parameters) lyapunov_readings_clocked_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32_retune(lyapunov_readings_clocked_f32 *storage, const lyapunov_readings_clocked_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32_save(const lyapunov_readings_clocked_f32 *storage, lyapunov_readings_clocked_f32_memory *memory);
@@ -2206,7 +2236,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32_restart(lyapunov_readings_cl
 typedef struct lyapunov_readings_clocked_f64_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64_parameters) == 16, lyapunov_readings_clocked_f64_parameters_size);
@@ -2231,7 +2262,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64_init_abi(lyapunov_readings_clocked_f64 *storage, const lyapunov_readings_clocked_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f64_init(storage, parameters) lyapunov_readings_clocked_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64_retune(lyapunov_readings_clocked_f64 *storage, const lyapunov_readings_clocked_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64_save(const lyapunov_readings_clocked_f64 *storage, lyapunov_readings_clocked_f64_memory *memory);
@@ -2250,7 +2282,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64_restart(lyapunov_readings_cl
 typedef struct lyapunov_readings_clocked_f32x3_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3_parameters) == 8, lyapunov_readings_clocked_f32x3_parameters_size);
@@ -2275,7 +2308,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x3_init_abi(lyapunov_readings_clocked_f32x3 *storage, const lyapunov_readings_clocked_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f32x3_init(storage, parameters) lyapunov_readings_clocked_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x3_retune(lyapunov_readings_clocked_f32x3 *storage, const lyapunov_readings_clocked_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x3_save(const lyapunov_readings_clocked_f32x3 *storage, lyapunov_readings_clocked_f32x3_memory *memory);
@@ -2294,7 +2328,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x3_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f64x3_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3_parameters) == 16, lyapunov_readings_clocked_f64x3_parameters_size);
@@ -2319,7 +2354,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x3_init_abi(lyapunov_readings_clocked_f64x3 *storage, const lyapunov_readings_clocked_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f64x3_init(storage, parameters) lyapunov_readings_clocked_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x3_retune(lyapunov_readings_clocked_f64x3 *storage, const lyapunov_readings_clocked_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x3_save(const lyapunov_readings_clocked_f64x3 *storage, lyapunov_readings_clocked_f64x3_memory *memory);
@@ -2338,7 +2374,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x3_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f32x6_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6_parameters) == 8, lyapunov_readings_clocked_f32x6_parameters_size);
@@ -2363,7 +2400,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x6_init_abi(lyapunov_readings_clocked_f32x6 *storage, const lyapunov_readings_clocked_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f32x6_init(storage, parameters) lyapunov_readings_clocked_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x6_retune(lyapunov_readings_clocked_f32x6 *storage, const lyapunov_readings_clocked_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x6_save(const lyapunov_readings_clocked_f32x6 *storage, lyapunov_readings_clocked_f32x6_memory *memory);
@@ -2382,7 +2420,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x6_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f64x6_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6_parameters) == 16, lyapunov_readings_clocked_f64x6_parameters_size);
@@ -2407,7 +2446,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x6_init_abi(lyapunov_readings_clocked_f64x6 *storage, const lyapunov_readings_clocked_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f64x6_init(storage, parameters) lyapunov_readings_clocked_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x6_retune(lyapunov_readings_clocked_f64x6 *storage, const lyapunov_readings_clocked_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x6_save(const lyapunov_readings_clocked_f64x6 *storage, lyapunov_readings_clocked_f64x6_memory *memory);
@@ -2426,7 +2466,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x6_restart(lyapunov_readings_
 typedef struct lyapunov_readings_measured_clocked_f32_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32_parameters) == 8, lyapunov_readings_measured_clocked_f32_parameters_size);
@@ -2451,7 +2492,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32_memory, word) ==
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32_init_abi(lyapunov_readings_measured_clocked_f32 *storage, const lyapunov_readings_measured_clocked_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f32_init(storage, parameters) lyapunov_readings_measured_clocked_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32_retune(lyapunov_readings_measured_clocked_f32 *storage, const lyapunov_readings_measured_clocked_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32_save(const lyapunov_readings_measured_clocked_f32 *storage, lyapunov_readings_measured_clocked_f32_memory *memory);
@@ -2470,7 +2512,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32_restart(lyapunov_re
 typedef struct lyapunov_readings_measured_clocked_f64_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64_parameters) == 16, lyapunov_readings_measured_clocked_f64_parameters_size);
@@ -2495,7 +2538,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64_memory, word) ==
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64_init_abi(lyapunov_readings_measured_clocked_f64 *storage, const lyapunov_readings_measured_clocked_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f64_init(storage, parameters) lyapunov_readings_measured_clocked_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64_retune(lyapunov_readings_measured_clocked_f64 *storage, const lyapunov_readings_measured_clocked_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64_save(const lyapunov_readings_measured_clocked_f64 *storage, lyapunov_readings_measured_clocked_f64_memory *memory);
@@ -2514,7 +2558,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64_restart(lyapunov_re
 typedef struct lyapunov_readings_measured_clocked_f32x3_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3_parameters) == 8, lyapunov_readings_measured_clocked_f32x3_parameters_size);
@@ -2539,7 +2584,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x3_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x3_init_abi(lyapunov_readings_measured_clocked_f32x3 *storage, const lyapunov_readings_measured_clocked_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f32x3_init(storage, parameters) lyapunov_readings_measured_clocked_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x3_retune(lyapunov_readings_measured_clocked_f32x3 *storage, const lyapunov_readings_measured_clocked_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x3_save(const lyapunov_readings_measured_clocked_f32x3 *storage, lyapunov_readings_measured_clocked_f32x3_memory *memory);
@@ -2558,7 +2604,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x3_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f64x3_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3_parameters) == 16, lyapunov_readings_measured_clocked_f64x3_parameters_size);
@@ -2583,7 +2630,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x3_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x3_init_abi(lyapunov_readings_measured_clocked_f64x3 *storage, const lyapunov_readings_measured_clocked_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f64x3_init(storage, parameters) lyapunov_readings_measured_clocked_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x3_retune(lyapunov_readings_measured_clocked_f64x3 *storage, const lyapunov_readings_measured_clocked_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x3_save(const lyapunov_readings_measured_clocked_f64x3 *storage, lyapunov_readings_measured_clocked_f64x3_memory *memory);
@@ -2602,7 +2650,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x3_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f32x6_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6_parameters) == 8, lyapunov_readings_measured_clocked_f32x6_parameters_size);
@@ -2627,7 +2676,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x6_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x6_init_abi(lyapunov_readings_measured_clocked_f32x6 *storage, const lyapunov_readings_measured_clocked_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f32x6_init(storage, parameters) lyapunov_readings_measured_clocked_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x6_retune(lyapunov_readings_measured_clocked_f32x6 *storage, const lyapunov_readings_measured_clocked_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x6_save(const lyapunov_readings_measured_clocked_f32x6 *storage, lyapunov_readings_measured_clocked_f32x6_memory *memory);
@@ -2646,7 +2696,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x6_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f64x6_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6_parameters) == 16, lyapunov_readings_measured_clocked_f64x6_parameters_size);
@@ -2671,7 +2722,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x6_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x6_init_abi(lyapunov_readings_measured_clocked_f64x6 *storage, const lyapunov_readings_measured_clocked_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f64x6_init(storage, parameters) lyapunov_readings_measured_clocked_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x6_retune(lyapunov_readings_measured_clocked_f64x6 *storage, const lyapunov_readings_measured_clocked_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x6_save(const lyapunov_readings_measured_clocked_f64x6 *storage, lyapunov_readings_measured_clocked_f64x6_memory *memory);
@@ -2719,7 +2771,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f32screw_init_abi(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_readings_of_poses_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_f32screw_init(storage, parameters) lyapunov_readings_of_poses_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f32screw_retune(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_readings_of_poses_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f32screw_save(const lyapunov_readings_of_poses_f32screw *storage, lyapunov_readings_of_poses_f32screw_memory *memory);
@@ -2767,7 +2820,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f64screw_init_abi(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_readings_of_poses_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_f64screw_init(storage, parameters) lyapunov_readings_of_poses_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f64screw_retune(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_readings_of_poses_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f64screw_save(const lyapunov_readings_of_poses_f64screw *storage, lyapunov_readings_of_poses_f64screw_memory *memory);
@@ -2814,7 +2868,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f32screw_init_abi(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_readings_of_poses_measured_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_f32screw_init(storage, parameters) lyapunov_readings_of_poses_measured_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f32screw_retune(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_readings_of_poses_measured_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f32screw_save(const lyapunov_readings_of_poses_measured_f32screw *storage, lyapunov_readings_of_poses_measured_f32screw_memory *memory);
@@ -2862,7 +2917,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f64screw_init_abi(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_readings_of_poses_measured_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_f64screw_init(storage, parameters) lyapunov_readings_of_poses_measured_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f64screw_retune(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_readings_of_poses_measured_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_save(const lyapunov_readings_of_poses_measured_f64screw *storage, lyapunov_readings_of_poses_measured_f64screw_memory *memory);
@@ -2913,7 +2969,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_memory, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f32screw_init_abi(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_readings_of_poses_low_passed_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_low_passed_f32screw_init(storage, parameters) lyapunov_readings_of_poses_low_passed_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f32screw_retune(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_readings_of_poses_low_passed_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f32screw_save(const lyapunov_readings_of_poses_low_passed_f32screw *storage, lyapunov_readings_of_poses_low_passed_f32screw_memory *memory);
@@ -2963,7 +3020,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_memory, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f64screw_init_abi(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_readings_of_poses_low_passed_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_low_passed_f64screw_init(storage, parameters) lyapunov_readings_of_poses_low_passed_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f64screw_retune(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_readings_of_poses_low_passed_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f64screw_save(const lyapunov_readings_of_poses_low_passed_f64screw *storage, lyapunov_readings_of_poses_low_passed_f64screw_memory *memory);
@@ -3016,7 +3074,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f32screw_init_abi(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_readings_of_poses_windowed_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_windowed_f32screw_init(storage, parameters) lyapunov_readings_of_poses_windowed_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f32screw_retune(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_readings_of_poses_windowed_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f32screw_save(const lyapunov_readings_of_poses_windowed_f32screw *storage, lyapunov_readings_of_poses_windowed_f32screw_memory *memory);
@@ -3069,7 +3128,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f64screw_init_abi(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_readings_of_poses_windowed_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_windowed_f64screw_init(storage, parameters) lyapunov_readings_of_poses_windowed_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f64screw_retune(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_readings_of_poses_windowed_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f64screw_save(const lyapunov_readings_of_poses_windowed_f64screw *storage, lyapunov_readings_of_poses_windowed_f64screw_memory *memory);
@@ -3090,7 +3150,8 @@ typedef struct lyapunov_readings_of_poses_clocked_f32screw_parameters {
     float period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period, so that the twist may be above it. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_clocked_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_clocked_f32screw_parameters_size);
@@ -3116,7 +3177,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_memory, wor
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f32screw_init_abi(lyapunov_readings_of_poses_clocked_f32screw *storage, const lyapunov_readings_of_poses_clocked_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_clocked_f32screw_init(storage, parameters) lyapunov_readings_of_poses_clocked_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f32screw_retune(lyapunov_readings_of_poses_clocked_f32screw *storage, const lyapunov_readings_of_poses_clocked_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f32screw_save(const lyapunov_readings_of_poses_clocked_f32screw *storage, lyapunov_readings_of_poses_clocked_f32screw_memory *memory);
@@ -3137,7 +3199,8 @@ typedef struct lyapunov_readings_of_poses_clocked_f64screw_parameters {
     double period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period, so that the twist may be above it. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_clocked_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_clocked_f64screw_parameters_size);
@@ -3163,7 +3226,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_memory, wor
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f64screw_init_abi(lyapunov_readings_of_poses_clocked_f64screw *storage, const lyapunov_readings_of_poses_clocked_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_clocked_f64screw_init(storage, parameters) lyapunov_readings_of_poses_clocked_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f64screw_retune(lyapunov_readings_of_poses_clocked_f64screw *storage, const lyapunov_readings_of_poses_clocked_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f64screw_save(const lyapunov_readings_of_poses_clocked_f64screw *storage, lyapunov_readings_of_poses_clocked_f64screw_memory *memory);
@@ -3184,7 +3248,8 @@ typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw_parameters {
     float period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_measured_clocked_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_size);
@@ -3210,7 +3275,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_me
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_clocked_f32screw_init(storage, parameters) lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f32screw_retune(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f32screw_save(const lyapunov_readings_of_poses_measured_clocked_f32screw *storage, lyapunov_readings_of_poses_measured_clocked_f32screw_memory *memory);
@@ -3231,7 +3297,8 @@ typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw_parameters {
     double period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_measured_clocked_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_size);
@@ -3257,7 +3324,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_me
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_clocked_f64screw_init(storage, parameters) lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f64screw_retune(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_save(const lyapunov_readings_of_poses_measured_clocked_f64screw *storage, lyapunov_readings_of_poses_measured_clocked_f64screw_memory *memory);
@@ -3272,7 +3340,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_misse
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_restart(lyapunov_readings_of_poses_measured_clocked_f64screw *storage);
 
 /* lyapunov_popc_f32: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a
-   debt back by a damper. */
+   debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2 mJ
+   a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a sum
+   that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
@@ -3302,7 +3372,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32_memory, word) == 0, lyapunov_popc_f32
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32_init_abi(lyapunov_popc_f32 *storage, const lyapunov_popc_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32_init(storage, parameters) lyapunov_popc_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32_retune(lyapunov_popc_f32 *storage, const lyapunov_popc_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32_save(const lyapunov_popc_f32 *storage, lyapunov_popc_f32_memory *memory);
@@ -3320,7 +3391,9 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32_grant(lyapunov_popc_f32 *storage,
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32_owe(lyapunov_popc_f32 *storage, float debt);
 
 /* lyapunov_popc_f64: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a
-   debt back by a damper. */
+   debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2 mJ
+   a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a sum
+   that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
@@ -3350,7 +3423,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64_memory, word) == 0, lyapunov_popc_f64
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64_init_abi(lyapunov_popc_f64 *storage, const lyapunov_popc_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64_init(storage, parameters) lyapunov_popc_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64_retune(lyapunov_popc_f64 *storage, const lyapunov_popc_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64_save(const lyapunov_popc_f64 *storage, lyapunov_popc_f64_memory *memory);
@@ -3368,7 +3442,9 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64_grant(lyapunov_popc_f64 *storage,
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64_owe(lyapunov_popc_f64 *storage, double debt);
 
 /* lyapunov_popc_f32x3: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32x3_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
@@ -3398,7 +3474,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x3_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_init_abi(lyapunov_popc_f32x3 *storage, const lyapunov_popc_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32x3_init(storage, parameters) lyapunov_popc_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_retune(lyapunov_popc_f32x3 *storage, const lyapunov_popc_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32x3_save(const lyapunov_popc_f32x3 *storage, lyapunov_popc_f32x3_memory *memory);
@@ -3416,7 +3493,9 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_grant(lyapunov_popc_f32x3 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_owe(lyapunov_popc_f32x3 *storage, float debt);
 
 /* lyapunov_popc_f64x3: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64x3_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
@@ -3446,7 +3525,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x3_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_init_abi(lyapunov_popc_f64x3 *storage, const lyapunov_popc_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64x3_init(storage, parameters) lyapunov_popc_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_retune(lyapunov_popc_f64x3 *storage, const lyapunov_popc_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64x3_save(const lyapunov_popc_f64x3 *storage, lyapunov_popc_f64x3_memory *memory);
@@ -3464,7 +3544,9 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_grant(lyapunov_popc_f64x3 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_owe(lyapunov_popc_f64x3 *storage, double debt);
 
 /* lyapunov_popc_f32x6: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32x6_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
@@ -3494,7 +3576,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x6_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_init_abi(lyapunov_popc_f32x6 *storage, const lyapunov_popc_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32x6_init(storage, parameters) lyapunov_popc_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_retune(lyapunov_popc_f32x6 *storage, const lyapunov_popc_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32x6_save(const lyapunov_popc_f32x6 *storage, lyapunov_popc_f32x6_memory *memory);
@@ -3512,7 +3595,9 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_grant(lyapunov_popc_f32x6 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_owe(lyapunov_popc_f32x6 *storage, float debt);
 
 /* lyapunov_popc_f64x6: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64x6_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
@@ -3542,7 +3627,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x6_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_init_abi(lyapunov_popc_f64x6 *storage, const lyapunov_popc_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64x6_init(storage, parameters) lyapunov_popc_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_retune(lyapunov_popc_f64x6 *storage, const lyapunov_popc_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64x6_save(const lyapunov_popc_f64x6 *storage, lyapunov_popc_f64x6_memory *memory);
@@ -3560,7 +3646,9 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_grant(lyapunov_popc_f64x6 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_owe(lyapunov_popc_f64x6 *storage, double debt);
 
 /* lyapunov_popc_f32screw: Passivity observer/controller (Popc): sums the energy that crosses the port, and
-   takes a debt back by a damper. */
+   takes a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at
+   0.2 mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in
+   a sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32screw_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
@@ -3590,7 +3678,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32screw_memory, word) == 0, lyapunov_pop
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_init_abi(lyapunov_popc_f32screw *storage, const lyapunov_popc_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32screw_init(storage, parameters) lyapunov_popc_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_retune(lyapunov_popc_f32screw *storage, const lyapunov_popc_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32screw_save(const lyapunov_popc_f32screw *storage, lyapunov_popc_f32screw_memory *memory);
@@ -3608,7 +3697,9 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_grant(lyapunov_popc_f32screw
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_owe(lyapunov_popc_f32screw *storage, float debt);
 
 /* lyapunov_popc_f64screw: Passivity observer/controller (Popc): sums the energy that crosses the port, and
-   takes a debt back by a damper. */
+   takes a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at
+   0.2 mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in
+   a sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64screw_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
@@ -3638,7 +3729,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64screw_memory, word) == 0, lyapunov_pop
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64screw_init_abi(lyapunov_popc_f64screw *storage, const lyapunov_popc_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64screw_init(storage, parameters) lyapunov_popc_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64screw_retune(lyapunov_popc_f64screw *storage, const lyapunov_popc_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64screw_save(const lyapunov_popc_f64screw *storage, lyapunov_popc_f64screw_memory *memory);
@@ -3688,7 +3780,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32_memory, word) == 0, lyapunov_lolc_f32
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32_init_abi(lyapunov_lolc_f32 *storage, const lyapunov_lolc_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32_init(storage, parameters) lyapunov_lolc_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32_retune(lyapunov_lolc_f32 *storage, const lyapunov_lolc_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32_save(const lyapunov_lolc_f32 *storage, lyapunov_lolc_f32_memory *memory);
@@ -3738,7 +3831,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64_memory, word) == 0, lyapunov_lolc_f64
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64_init_abi(lyapunov_lolc_f64 *storage, const lyapunov_lolc_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64_init(storage, parameters) lyapunov_lolc_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64_retune(lyapunov_lolc_f64 *storage, const lyapunov_lolc_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64_save(const lyapunov_lolc_f64 *storage, lyapunov_lolc_f64_memory *memory);
@@ -3788,7 +3882,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x3_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x3_init_abi(lyapunov_lolc_f32x3 *storage, const lyapunov_lolc_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32x3_init(storage, parameters) lyapunov_lolc_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x3_retune(lyapunov_lolc_f32x3 *storage, const lyapunov_lolc_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32x3_save(const lyapunov_lolc_f32x3 *storage, lyapunov_lolc_f32x3_memory *memory);
@@ -3838,7 +3933,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x3_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x3_init_abi(lyapunov_lolc_f64x3 *storage, const lyapunov_lolc_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64x3_init(storage, parameters) lyapunov_lolc_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x3_retune(lyapunov_lolc_f64x3 *storage, const lyapunov_lolc_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64x3_save(const lyapunov_lolc_f64x3 *storage, lyapunov_lolc_f64x3_memory *memory);
@@ -3888,7 +3984,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x6_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x6_init_abi(lyapunov_lolc_f32x6 *storage, const lyapunov_lolc_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32x6_init(storage, parameters) lyapunov_lolc_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x6_retune(lyapunov_lolc_f32x6 *storage, const lyapunov_lolc_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32x6_save(const lyapunov_lolc_f32x6 *storage, lyapunov_lolc_f32x6_memory *memory);
@@ -3938,7 +4035,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x6_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x6_init_abi(lyapunov_lolc_f64x6 *storage, const lyapunov_lolc_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64x6_init(storage, parameters) lyapunov_lolc_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x6_retune(lyapunov_lolc_f64x6 *storage, const lyapunov_lolc_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64x6_save(const lyapunov_lolc_f64x6 *storage, lyapunov_lolc_f64x6_memory *memory);
@@ -3988,7 +4086,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32screw_memory, word) == 0, lyapunov_lol
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32screw_init_abi(lyapunov_lolc_f32screw *storage, const lyapunov_lolc_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32screw_init(storage, parameters) lyapunov_lolc_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32screw_retune(lyapunov_lolc_f32screw *storage, const lyapunov_lolc_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32screw_save(const lyapunov_lolc_f32screw *storage, lyapunov_lolc_f32screw_memory *memory);
@@ -4038,7 +4137,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64screw_memory, word) == 0, lyapunov_lol
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64screw_init_abi(lyapunov_lolc_f64screw *storage, const lyapunov_lolc_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64screw_init(storage, parameters) lyapunov_lolc_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64screw_retune(lyapunov_lolc_f64screw *storage, const lyapunov_lolc_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64screw_save(const lyapunov_lolc_f64screw *storage, lyapunov_lolc_f64screw_memory *memory);
@@ -4087,7 +4187,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32_memory, word) == 0, lyapunov_l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32_init_abi(lyapunov_lolc_custom_f32 *storage, const lyapunov_lolc_custom_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32_init(storage, parameters) lyapunov_lolc_custom_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32_retune(lyapunov_lolc_custom_f32 *storage, const lyapunov_lolc_custom_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32_save(const lyapunov_lolc_custom_f32 *storage, lyapunov_lolc_custom_f32_memory *memory);
@@ -4137,7 +4238,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64_memory, word) == 0, lyapunov_l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64_init_abi(lyapunov_lolc_custom_f64 *storage, const lyapunov_lolc_custom_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64_init(storage, parameters) lyapunov_lolc_custom_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64_retune(lyapunov_lolc_custom_f64 *storage, const lyapunov_lolc_custom_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64_save(const lyapunov_lolc_custom_f64 *storage, lyapunov_lolc_custom_f64_memory *memory);
@@ -4187,7 +4289,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x3_init_abi(lyapunov_lolc_custom_f32x3 *storage, const lyapunov_lolc_custom_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32x3_init(storage, parameters) lyapunov_lolc_custom_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x3_retune(lyapunov_lolc_custom_f32x3 *storage, const lyapunov_lolc_custom_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32x3_save(const lyapunov_lolc_custom_f32x3 *storage, lyapunov_lolc_custom_f32x3_memory *memory);
@@ -4237,7 +4340,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x3_init_abi(lyapunov_lolc_custom_f64x3 *storage, const lyapunov_lolc_custom_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64x3_init(storage, parameters) lyapunov_lolc_custom_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x3_retune(lyapunov_lolc_custom_f64x3 *storage, const lyapunov_lolc_custom_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64x3_save(const lyapunov_lolc_custom_f64x3 *storage, lyapunov_lolc_custom_f64x3_memory *memory);
@@ -4287,7 +4391,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x6_init_abi(lyapunov_lolc_custom_f32x6 *storage, const lyapunov_lolc_custom_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32x6_init(storage, parameters) lyapunov_lolc_custom_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x6_retune(lyapunov_lolc_custom_f32x6 *storage, const lyapunov_lolc_custom_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32x6_save(const lyapunov_lolc_custom_f32x6 *storage, lyapunov_lolc_custom_f32x6_memory *memory);
@@ -4337,7 +4442,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x6_init_abi(lyapunov_lolc_custom_f64x6 *storage, const lyapunov_lolc_custom_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64x6_init(storage, parameters) lyapunov_lolc_custom_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x6_retune(lyapunov_lolc_custom_f64x6 *storage, const lyapunov_lolc_custom_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64x6_save(const lyapunov_lolc_custom_f64x6 *storage, lyapunov_lolc_custom_f64x6_memory *memory);
@@ -4387,7 +4493,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32screw_init_abi(lyapunov_lolc_custom_f32screw *storage, const lyapunov_lolc_custom_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32screw_init(storage, parameters) lyapunov_lolc_custom_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32screw_retune(lyapunov_lolc_custom_f32screw *storage, const lyapunov_lolc_custom_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32screw_save(const lyapunov_lolc_custom_f32screw *storage, lyapunov_lolc_custom_f32screw_memory *memory);
@@ -4437,7 +4544,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64screw_init_abi(lyapunov_lolc_custom_f64screw *storage, const lyapunov_lolc_custom_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64screw_init(storage, parameters) lyapunov_lolc_custom_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64screw_retune(lyapunov_lolc_custom_f64screw *storage, const lyapunov_lolc_custom_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64screw_save(const lyapunov_lolc_custom_f64screw *storage, lyapunov_lolc_custom_f64screw_memory *memory);
@@ -4486,7 +4594,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32_init_abi(lyapunov_lolc_storage_f32 *storage, const lyapunov_lolc_storage_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32_init(storage, parameters) lyapunov_lolc_storage_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32_retune(lyapunov_lolc_storage_f32 *storage, const lyapunov_lolc_storage_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32_save(const lyapunov_lolc_storage_f32 *storage, lyapunov_lolc_storage_f32_memory *memory);
@@ -4535,7 +4644,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64_init_abi(lyapunov_lolc_storage_f64 *storage, const lyapunov_lolc_storage_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64_init(storage, parameters) lyapunov_lolc_storage_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64_retune(lyapunov_lolc_storage_f64 *storage, const lyapunov_lolc_storage_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64_save(const lyapunov_lolc_storage_f64 *storage, lyapunov_lolc_storage_f64_memory *memory);
@@ -4584,7 +4694,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x3_init_abi(lyapunov_lolc_storage_f32x3 *storage, const lyapunov_lolc_storage_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32x3_init(storage, parameters) lyapunov_lolc_storage_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x3_retune(lyapunov_lolc_storage_f32x3 *storage, const lyapunov_lolc_storage_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32x3_save(const lyapunov_lolc_storage_f32x3 *storage, lyapunov_lolc_storage_f32x3_memory *memory);
@@ -4633,7 +4744,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x3_init_abi(lyapunov_lolc_storage_f64x3 *storage, const lyapunov_lolc_storage_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64x3_init(storage, parameters) lyapunov_lolc_storage_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x3_retune(lyapunov_lolc_storage_f64x3 *storage, const lyapunov_lolc_storage_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64x3_save(const lyapunov_lolc_storage_f64x3 *storage, lyapunov_lolc_storage_f64x3_memory *memory);
@@ -4682,7 +4794,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x6_init_abi(lyapunov_lolc_storage_f32x6 *storage, const lyapunov_lolc_storage_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32x6_init(storage, parameters) lyapunov_lolc_storage_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x6_retune(lyapunov_lolc_storage_f32x6 *storage, const lyapunov_lolc_storage_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32x6_save(const lyapunov_lolc_storage_f32x6 *storage, lyapunov_lolc_storage_f32x6_memory *memory);
@@ -4731,7 +4844,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x6_init_abi(lyapunov_lolc_storage_f64x6 *storage, const lyapunov_lolc_storage_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64x6_init(storage, parameters) lyapunov_lolc_storage_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x6_retune(lyapunov_lolc_storage_f64x6 *storage, const lyapunov_lolc_storage_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64x6_save(const lyapunov_lolc_storage_f64x6 *storage, lyapunov_lolc_storage_f64x6_memory *memory);
@@ -4780,7 +4894,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32screw_init_abi(lyapunov_lolc_storage_f32screw *storage, const lyapunov_lolc_storage_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32screw_init(storage, parameters) lyapunov_lolc_storage_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32screw_retune(lyapunov_lolc_storage_f32screw *storage, const lyapunov_lolc_storage_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32screw_save(const lyapunov_lolc_storage_f32screw *storage, lyapunov_lolc_storage_f32screw_memory *memory);
@@ -4829,7 +4944,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64screw_init_abi(lyapunov_lolc_storage_f64screw *storage, const lyapunov_lolc_storage_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64screw_init(storage, parameters) lyapunov_lolc_storage_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64screw_retune(lyapunov_lolc_storage_f64screw *storage, const lyapunov_lolc_storage_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64screw_save(const lyapunov_lolc_storage_f64screw *storage, lyapunov_lolc_storage_f64screw_memory *memory);
@@ -4885,7 +5001,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f32_init_abi(lyapunov_lolc_in_contact_f32 *storage, const lyapunov_lolc_in_contact_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_in_contact_f32_init(storage, parameters) lyapunov_lolc_in_contact_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f32_retune(lyapunov_lolc_in_contact_f32 *storage, const lyapunov_lolc_in_contact_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_in_contact_f32_save(const lyapunov_lolc_in_contact_f32 *storage, lyapunov_lolc_in_contact_f32_memory *memory);
@@ -4940,7 +5057,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f64_init_abi(lyapunov_lolc_in_contact_f64 *storage, const lyapunov_lolc_in_contact_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_in_contact_f64_init(storage, parameters) lyapunov_lolc_in_contact_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f64_retune(lyapunov_lolc_in_contact_f64 *storage, const lyapunov_lolc_in_contact_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_in_contact_f64_save(const lyapunov_lolc_in_contact_f64 *storage, lyapunov_lolc_in_contact_f64_memory *memory);
@@ -4984,7 +5102,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32_init_abi(lyapunov_lolc_sampled_f32 *storage, const lyapunov_lolc_sampled_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32_init(storage, parameters) lyapunov_lolc_sampled_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32_retune(lyapunov_lolc_sampled_f32 *storage, const lyapunov_lolc_sampled_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32_save(const lyapunov_lolc_sampled_f32 *storage, lyapunov_lolc_sampled_f32_memory *memory);
@@ -5028,7 +5147,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64_init_abi(lyapunov_lolc_sampled_f64 *storage, const lyapunov_lolc_sampled_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64_init(storage, parameters) lyapunov_lolc_sampled_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64_retune(lyapunov_lolc_sampled_f64 *storage, const lyapunov_lolc_sampled_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64_save(const lyapunov_lolc_sampled_f64 *storage, lyapunov_lolc_sampled_f64_memory *memory);
@@ -5072,7 +5192,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x3_init_abi(lyapunov_lolc_sampled_f32x3 *storage, const lyapunov_lolc_sampled_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32x3_init(storage, parameters) lyapunov_lolc_sampled_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x3_retune(lyapunov_lolc_sampled_f32x3 *storage, const lyapunov_lolc_sampled_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32x3_save(const lyapunov_lolc_sampled_f32x3 *storage, lyapunov_lolc_sampled_f32x3_memory *memory);
@@ -5116,7 +5237,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x3_init_abi(lyapunov_lolc_sampled_f64x3 *storage, const lyapunov_lolc_sampled_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64x3_init(storage, parameters) lyapunov_lolc_sampled_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x3_retune(lyapunov_lolc_sampled_f64x3 *storage, const lyapunov_lolc_sampled_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64x3_save(const lyapunov_lolc_sampled_f64x3 *storage, lyapunov_lolc_sampled_f64x3_memory *memory);
@@ -5160,7 +5282,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x6_init_abi(lyapunov_lolc_sampled_f32x6 *storage, const lyapunov_lolc_sampled_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32x6_init(storage, parameters) lyapunov_lolc_sampled_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x6_retune(lyapunov_lolc_sampled_f32x6 *storage, const lyapunov_lolc_sampled_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32x6_save(const lyapunov_lolc_sampled_f32x6 *storage, lyapunov_lolc_sampled_f32x6_memory *memory);
@@ -5204,7 +5327,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x6_init_abi(lyapunov_lolc_sampled_f64x6 *storage, const lyapunov_lolc_sampled_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64x6_init(storage, parameters) lyapunov_lolc_sampled_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x6_retune(lyapunov_lolc_sampled_f64x6 *storage, const lyapunov_lolc_sampled_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64x6_save(const lyapunov_lolc_sampled_f64x6 *storage, lyapunov_lolc_sampled_f64x6_memory *memory);
@@ -5249,7 +5373,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32screw_init_abi(lyapunov_lolc_sampled_f32screw *storage, const lyapunov_lolc_sampled_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32screw_init(storage, parameters) lyapunov_lolc_sampled_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32screw_retune(lyapunov_lolc_sampled_f32screw *storage, const lyapunov_lolc_sampled_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32screw_save(const lyapunov_lolc_sampled_f32screw *storage, lyapunov_lolc_sampled_f32screw_memory *memory);
@@ -5294,7 +5419,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64screw_init_abi(lyapunov_lolc_sampled_f64screw *storage, const lyapunov_lolc_sampled_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64screw_init(storage, parameters) lyapunov_lolc_sampled_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64screw_retune(lyapunov_lolc_sampled_f64screw *storage, const lyapunov_lolc_sampled_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64screw_save(const lyapunov_lolc_sampled_f64screw *storage, lyapunov_lolc_sampled_f64screw_memory *memory);
@@ -5338,7 +5464,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32_init_abi(lyapunov_lolc_compensated_f32 *storage, const lyapunov_lolc_compensated_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32_init(storage, parameters) lyapunov_lolc_compensated_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32_retune(lyapunov_lolc_compensated_f32 *storage, const lyapunov_lolc_compensated_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32_save(const lyapunov_lolc_compensated_f32 *storage, lyapunov_lolc_compensated_f32_memory *memory);
@@ -5382,7 +5509,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64_init_abi(lyapunov_lolc_compensated_f64 *storage, const lyapunov_lolc_compensated_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64_init(storage, parameters) lyapunov_lolc_compensated_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64_retune(lyapunov_lolc_compensated_f64 *storage, const lyapunov_lolc_compensated_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64_save(const lyapunov_lolc_compensated_f64 *storage, lyapunov_lolc_compensated_f64_memory *memory);
@@ -5426,7 +5554,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x3_init_abi(lyapunov_lolc_compensated_f32x3 *storage, const lyapunov_lolc_compensated_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32x3_init(storage, parameters) lyapunov_lolc_compensated_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x3_retune(lyapunov_lolc_compensated_f32x3 *storage, const lyapunov_lolc_compensated_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32x3_save(const lyapunov_lolc_compensated_f32x3 *storage, lyapunov_lolc_compensated_f32x3_memory *memory);
@@ -5470,7 +5599,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x3_init_abi(lyapunov_lolc_compensated_f64x3 *storage, const lyapunov_lolc_compensated_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64x3_init(storage, parameters) lyapunov_lolc_compensated_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x3_retune(lyapunov_lolc_compensated_f64x3 *storage, const lyapunov_lolc_compensated_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64x3_save(const lyapunov_lolc_compensated_f64x3 *storage, lyapunov_lolc_compensated_f64x3_memory *memory);
@@ -5514,7 +5644,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x6_init_abi(lyapunov_lolc_compensated_f32x6 *storage, const lyapunov_lolc_compensated_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32x6_init(storage, parameters) lyapunov_lolc_compensated_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x6_retune(lyapunov_lolc_compensated_f32x6 *storage, const lyapunov_lolc_compensated_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32x6_save(const lyapunov_lolc_compensated_f32x6 *storage, lyapunov_lolc_compensated_f32x6_memory *memory);
@@ -5558,7 +5689,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x6_init_abi(lyapunov_lolc_compensated_f64x6 *storage, const lyapunov_lolc_compensated_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64x6_init(storage, parameters) lyapunov_lolc_compensated_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x6_retune(lyapunov_lolc_compensated_f64x6 *storage, const lyapunov_lolc_compensated_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64x6_save(const lyapunov_lolc_compensated_f64x6 *storage, lyapunov_lolc_compensated_f64x6_memory *memory);
@@ -5602,7 +5734,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32screw_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32screw_init_abi(lyapunov_lolc_compensated_f32screw *storage, const lyapunov_lolc_compensated_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32screw_init(storage, parameters) lyapunov_lolc_compensated_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32screw_retune(lyapunov_lolc_compensated_f32screw *storage, const lyapunov_lolc_compensated_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32screw_save(const lyapunov_lolc_compensated_f32screw *storage, lyapunov_lolc_compensated_f32screw_memory *memory);
@@ -5646,7 +5779,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64screw_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64screw_init_abi(lyapunov_lolc_compensated_f64screw *storage, const lyapunov_lolc_compensated_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64screw_init(storage, parameters) lyapunov_lolc_compensated_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64screw_retune(lyapunov_lolc_compensated_f64screw *storage, const lyapunov_lolc_compensated_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64screw_save(const lyapunov_lolc_compensated_f64screw *storage, lyapunov_lolc_compensated_f64screw_memory *memory);
@@ -5692,7 +5826,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32_init_abi(lyapunov_bounded_credit_f32 *storage, const lyapunov_bounded_credit_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32_init(storage, parameters) lyapunov_bounded_credit_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32_retune(lyapunov_bounded_credit_f32 *storage, const lyapunov_bounded_credit_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32_save(const lyapunov_bounded_credit_f32 *storage, lyapunov_bounded_credit_f32_memory *memory);
@@ -5738,7 +5873,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64_init_abi(lyapunov_bounded_credit_f64 *storage, const lyapunov_bounded_credit_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64_init(storage, parameters) lyapunov_bounded_credit_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64_retune(lyapunov_bounded_credit_f64 *storage, const lyapunov_bounded_credit_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64_save(const lyapunov_bounded_credit_f64 *storage, lyapunov_bounded_credit_f64_memory *memory);
@@ -5784,7 +5920,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x3_init_abi(lyapunov_bounded_credit_f32x3 *storage, const lyapunov_bounded_credit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32x3_init(storage, parameters) lyapunov_bounded_credit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x3_retune(lyapunov_bounded_credit_f32x3 *storage, const lyapunov_bounded_credit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32x3_save(const lyapunov_bounded_credit_f32x3 *storage, lyapunov_bounded_credit_f32x3_memory *memory);
@@ -5830,7 +5967,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x3_init_abi(lyapunov_bounded_credit_f64x3 *storage, const lyapunov_bounded_credit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64x3_init(storage, parameters) lyapunov_bounded_credit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x3_retune(lyapunov_bounded_credit_f64x3 *storage, const lyapunov_bounded_credit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64x3_save(const lyapunov_bounded_credit_f64x3 *storage, lyapunov_bounded_credit_f64x3_memory *memory);
@@ -5876,7 +6014,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x6_init_abi(lyapunov_bounded_credit_f32x6 *storage, const lyapunov_bounded_credit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32x6_init(storage, parameters) lyapunov_bounded_credit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x6_retune(lyapunov_bounded_credit_f32x6 *storage, const lyapunov_bounded_credit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32x6_save(const lyapunov_bounded_credit_f32x6 *storage, lyapunov_bounded_credit_f32x6_memory *memory);
@@ -5922,7 +6061,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x6_init_abi(lyapunov_bounded_credit_f64x6 *storage, const lyapunov_bounded_credit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64x6_init(storage, parameters) lyapunov_bounded_credit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x6_retune(lyapunov_bounded_credit_f64x6 *storage, const lyapunov_bounded_credit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64x6_save(const lyapunov_bounded_credit_f64x6 *storage, lyapunov_bounded_credit_f64x6_memory *memory);
@@ -5968,7 +6108,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32screw_init_abi(lyapunov_bounded_credit_f32screw *storage, const lyapunov_bounded_credit_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32screw_init(storage, parameters) lyapunov_bounded_credit_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32screw_retune(lyapunov_bounded_credit_f32screw *storage, const lyapunov_bounded_credit_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32screw_save(const lyapunov_bounded_credit_f32screw *storage, lyapunov_bounded_credit_f32screw_memory *memory);
@@ -6014,7 +6155,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64screw_init_abi(lyapunov_bounded_credit_f64screw *storage, const lyapunov_bounded_credit_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64screw_init(storage, parameters) lyapunov_bounded_credit_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64screw_retune(lyapunov_bounded_credit_f64screw *storage, const lyapunov_bounded_credit_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64screw_save(const lyapunov_bounded_credit_f64screw *storage, lyapunov_bounded_credit_f64screw_memory *memory);
@@ -6061,7 +6203,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32_init_abi(lyapunov_windowed_credit_f32 *storage, const lyapunov_windowed_credit_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32_init(storage, parameters) lyapunov_windowed_credit_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32_retune(lyapunov_windowed_credit_f32 *storage, const lyapunov_windowed_credit_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32_save(const lyapunov_windowed_credit_f32 *storage, lyapunov_windowed_credit_f32_memory *memory);
@@ -6108,7 +6251,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64_init_abi(lyapunov_windowed_credit_f64 *storage, const lyapunov_windowed_credit_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64_init(storage, parameters) lyapunov_windowed_credit_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64_retune(lyapunov_windowed_credit_f64 *storage, const lyapunov_windowed_credit_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64_save(const lyapunov_windowed_credit_f64 *storage, lyapunov_windowed_credit_f64_memory *memory);
@@ -6155,7 +6299,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x3_init_abi(lyapunov_windowed_credit_f32x3 *storage, const lyapunov_windowed_credit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32x3_init(storage, parameters) lyapunov_windowed_credit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x3_retune(lyapunov_windowed_credit_f32x3 *storage, const lyapunov_windowed_credit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32x3_save(const lyapunov_windowed_credit_f32x3 *storage, lyapunov_windowed_credit_f32x3_memory *memory);
@@ -6202,7 +6347,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x3_init_abi(lyapunov_windowed_credit_f64x3 *storage, const lyapunov_windowed_credit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64x3_init(storage, parameters) lyapunov_windowed_credit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x3_retune(lyapunov_windowed_credit_f64x3 *storage, const lyapunov_windowed_credit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64x3_save(const lyapunov_windowed_credit_f64x3 *storage, lyapunov_windowed_credit_f64x3_memory *memory);
@@ -6249,7 +6395,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x6_init_abi(lyapunov_windowed_credit_f32x6 *storage, const lyapunov_windowed_credit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32x6_init(storage, parameters) lyapunov_windowed_credit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x6_retune(lyapunov_windowed_credit_f32x6 *storage, const lyapunov_windowed_credit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32x6_save(const lyapunov_windowed_credit_f32x6 *storage, lyapunov_windowed_credit_f32x6_memory *memory);
@@ -6296,7 +6443,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x6_init_abi(lyapunov_windowed_credit_f64x6 *storage, const lyapunov_windowed_credit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64x6_init(storage, parameters) lyapunov_windowed_credit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x6_retune(lyapunov_windowed_credit_f64x6 *storage, const lyapunov_windowed_credit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64x6_save(const lyapunov_windowed_credit_f64x6 *storage, lyapunov_windowed_credit_f64x6_memory *memory);
@@ -6343,7 +6491,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32screw_init_abi(lyapunov_windowed_credit_f32screw *storage, const lyapunov_windowed_credit_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32screw_init(storage, parameters) lyapunov_windowed_credit_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32screw_retune(lyapunov_windowed_credit_f32screw *storage, const lyapunov_windowed_credit_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32screw_save(const lyapunov_windowed_credit_f32screw *storage, lyapunov_windowed_credit_f32screw_memory *memory);
@@ -6390,7 +6539,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64screw_init_abi(lyapunov_windowed_credit_f64screw *storage, const lyapunov_windowed_credit_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64screw_init(storage, parameters) lyapunov_windowed_credit_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64screw_retune(lyapunov_windowed_credit_f64screw *storage, const lyapunov_windowed_credit_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64screw_save(const lyapunov_windowed_credit_f64screw *storage, lyapunov_windowed_credit_f64screw_memory *memory);
@@ -6437,7 +6587,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f32_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f32_init_abi(lyapunov_contact_reset_f32 *storage, const lyapunov_contact_reset_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_contact_reset_f32_init(storage, parameters) lyapunov_contact_reset_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f32_retune(lyapunov_contact_reset_f32 *storage, const lyapunov_contact_reset_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_contact_reset_f32_save(const lyapunov_contact_reset_f32 *storage, lyapunov_contact_reset_f32_memory *memory);
@@ -6484,7 +6635,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f64_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f64_init_abi(lyapunov_contact_reset_f64 *storage, const lyapunov_contact_reset_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_contact_reset_f64_init(storage, parameters) lyapunov_contact_reset_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f64_retune(lyapunov_contact_reset_f64 *storage, const lyapunov_contact_reset_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_contact_reset_f64_save(const lyapunov_contact_reset_f64 *storage, lyapunov_contact_reset_f64_memory *memory);
@@ -6530,7 +6682,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32_init_abi(lyapunov_velocity_threshold_f32 *storage, const lyapunov_velocity_threshold_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32_init(storage, parameters) lyapunov_velocity_threshold_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32_retune(lyapunov_velocity_threshold_f32 *storage, const lyapunov_velocity_threshold_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32_save(const lyapunov_velocity_threshold_f32 *storage, lyapunov_velocity_threshold_f32_memory *memory);
@@ -6576,7 +6729,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64_init_abi(lyapunov_velocity_threshold_f64 *storage, const lyapunov_velocity_threshold_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64_init(storage, parameters) lyapunov_velocity_threshold_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64_retune(lyapunov_velocity_threshold_f64 *storage, const lyapunov_velocity_threshold_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64_save(const lyapunov_velocity_threshold_f64 *storage, lyapunov_velocity_threshold_f64_memory *memory);
@@ -6622,7 +6776,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x3_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x3_init_abi(lyapunov_velocity_threshold_f32x3 *storage, const lyapunov_velocity_threshold_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32x3_init(storage, parameters) lyapunov_velocity_threshold_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x3_retune(lyapunov_velocity_threshold_f32x3 *storage, const lyapunov_velocity_threshold_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32x3_save(const lyapunov_velocity_threshold_f32x3 *storage, lyapunov_velocity_threshold_f32x3_memory *memory);
@@ -6668,7 +6823,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x3_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x3_init_abi(lyapunov_velocity_threshold_f64x3 *storage, const lyapunov_velocity_threshold_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64x3_init(storage, parameters) lyapunov_velocity_threshold_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x3_retune(lyapunov_velocity_threshold_f64x3 *storage, const lyapunov_velocity_threshold_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64x3_save(const lyapunov_velocity_threshold_f64x3 *storage, lyapunov_velocity_threshold_f64x3_memory *memory);
@@ -6714,7 +6870,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x6_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x6_init_abi(lyapunov_velocity_threshold_f32x6 *storage, const lyapunov_velocity_threshold_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32x6_init(storage, parameters) lyapunov_velocity_threshold_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x6_retune(lyapunov_velocity_threshold_f32x6 *storage, const lyapunov_velocity_threshold_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32x6_save(const lyapunov_velocity_threshold_f32x6 *storage, lyapunov_velocity_threshold_f32x6_memory *memory);
@@ -6760,7 +6917,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x6_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x6_init_abi(lyapunov_velocity_threshold_f64x6 *storage, const lyapunov_velocity_threshold_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64x6_init(storage, parameters) lyapunov_velocity_threshold_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x6_retune(lyapunov_velocity_threshold_f64x6 *storage, const lyapunov_velocity_threshold_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64x6_save(const lyapunov_velocity_threshold_f64x6 *storage, lyapunov_velocity_threshold_f64x6_memory *memory);
@@ -6806,7 +6964,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32screw_memory, word) == 0
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32screw_init_abi(lyapunov_velocity_threshold_f32screw *storage, const lyapunov_velocity_threshold_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32screw_init(storage, parameters) lyapunov_velocity_threshold_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32screw_retune(lyapunov_velocity_threshold_f32screw *storage, const lyapunov_velocity_threshold_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32screw_save(const lyapunov_velocity_threshold_f32screw *storage, lyapunov_velocity_threshold_f32screw_memory *memory);
@@ -6852,7 +7011,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64screw_memory, word) == 0
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64screw_init_abi(lyapunov_velocity_threshold_f64screw *storage, const lyapunov_velocity_threshold_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64screw_init(storage, parameters) lyapunov_velocity_threshold_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64screw_retune(lyapunov_velocity_threshold_f64screw *storage, const lyapunov_velocity_threshold_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64screw_save(const lyapunov_velocity_threshold_f64screw *storage, lyapunov_velocity_threshold_f64screw_memory *memory);
@@ -6898,7 +7058,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32_memory, word) == 0, lyapunov_spread
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32_init_abi(lyapunov_spread_f32 *storage, const lyapunov_spread_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32_init(storage, parameters) lyapunov_spread_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32_retune(lyapunov_spread_f32 *storage, const lyapunov_spread_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32_save(const lyapunov_spread_f32 *storage, lyapunov_spread_f32_memory *memory);
@@ -6944,7 +7105,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64_memory, word) == 0, lyapunov_spread
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64_init_abi(lyapunov_spread_f64 *storage, const lyapunov_spread_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64_init(storage, parameters) lyapunov_spread_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64_retune(lyapunov_spread_f64 *storage, const lyapunov_spread_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64_save(const lyapunov_spread_f64 *storage, lyapunov_spread_f64_memory *memory);
@@ -6990,7 +7152,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x3_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x3_init_abi(lyapunov_spread_f32x3 *storage, const lyapunov_spread_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32x3_init(storage, parameters) lyapunov_spread_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x3_retune(lyapunov_spread_f32x3 *storage, const lyapunov_spread_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32x3_save(const lyapunov_spread_f32x3 *storage, lyapunov_spread_f32x3_memory *memory);
@@ -7036,7 +7199,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x3_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x3_init_abi(lyapunov_spread_f64x3 *storage, const lyapunov_spread_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64x3_init(storage, parameters) lyapunov_spread_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x3_retune(lyapunov_spread_f64x3 *storage, const lyapunov_spread_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64x3_save(const lyapunov_spread_f64x3 *storage, lyapunov_spread_f64x3_memory *memory);
@@ -7082,7 +7246,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x6_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x6_init_abi(lyapunov_spread_f32x6 *storage, const lyapunov_spread_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32x6_init(storage, parameters) lyapunov_spread_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x6_retune(lyapunov_spread_f32x6 *storage, const lyapunov_spread_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32x6_save(const lyapunov_spread_f32x6 *storage, lyapunov_spread_f32x6_memory *memory);
@@ -7128,7 +7293,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x6_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x6_init_abi(lyapunov_spread_f64x6 *storage, const lyapunov_spread_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64x6_init(storage, parameters) lyapunov_spread_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x6_retune(lyapunov_spread_f64x6 *storage, const lyapunov_spread_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64x6_save(const lyapunov_spread_f64x6 *storage, lyapunov_spread_f64x6_memory *memory);
@@ -7174,7 +7340,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32screw_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32screw_init_abi(lyapunov_spread_f32screw *storage, const lyapunov_spread_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32screw_init(storage, parameters) lyapunov_spread_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32screw_retune(lyapunov_spread_f32screw *storage, const lyapunov_spread_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32screw_save(const lyapunov_spread_f32screw *storage, lyapunov_spread_f32screw_memory *memory);
@@ -7220,7 +7387,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64screw_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64screw_init_abi(lyapunov_spread_f64screw *storage, const lyapunov_spread_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64screw_init(storage, parameters) lyapunov_spread_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64screw_retune(lyapunov_spread_f64screw *storage, const lyapunov_spread_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64screw_save(const lyapunov_spread_f64screw *storage, lyapunov_spread_f64screw_memory *memory);
@@ -7266,7 +7434,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32_memory, word) == 0, lyapunov_so
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32_init_abi(lyapunov_soft_start_f32 *storage, const lyapunov_soft_start_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32_init(storage, parameters) lyapunov_soft_start_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32_retune(lyapunov_soft_start_f32 *storage, const lyapunov_soft_start_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32_save(const lyapunov_soft_start_f32 *storage, lyapunov_soft_start_f32_memory *memory);
@@ -7312,7 +7481,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64_memory, word) == 0, lyapunov_so
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64_init_abi(lyapunov_soft_start_f64 *storage, const lyapunov_soft_start_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64_init(storage, parameters) lyapunov_soft_start_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64_retune(lyapunov_soft_start_f64 *storage, const lyapunov_soft_start_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64_save(const lyapunov_soft_start_f64 *storage, lyapunov_soft_start_f64_memory *memory);
@@ -7358,7 +7528,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x3_init_abi(lyapunov_soft_start_f32x3 *storage, const lyapunov_soft_start_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32x3_init(storage, parameters) lyapunov_soft_start_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x3_retune(lyapunov_soft_start_f32x3 *storage, const lyapunov_soft_start_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32x3_save(const lyapunov_soft_start_f32x3 *storage, lyapunov_soft_start_f32x3_memory *memory);
@@ -7404,7 +7575,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x3_init_abi(lyapunov_soft_start_f64x3 *storage, const lyapunov_soft_start_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64x3_init(storage, parameters) lyapunov_soft_start_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x3_retune(lyapunov_soft_start_f64x3 *storage, const lyapunov_soft_start_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64x3_save(const lyapunov_soft_start_f64x3 *storage, lyapunov_soft_start_f64x3_memory *memory);
@@ -7450,7 +7622,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x6_init_abi(lyapunov_soft_start_f32x6 *storage, const lyapunov_soft_start_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32x6_init(storage, parameters) lyapunov_soft_start_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x6_retune(lyapunov_soft_start_f32x6 *storage, const lyapunov_soft_start_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32x6_save(const lyapunov_soft_start_f32x6 *storage, lyapunov_soft_start_f32x6_memory *memory);
@@ -7496,7 +7669,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x6_init_abi(lyapunov_soft_start_f64x6 *storage, const lyapunov_soft_start_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64x6_init(storage, parameters) lyapunov_soft_start_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x6_retune(lyapunov_soft_start_f64x6 *storage, const lyapunov_soft_start_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64x6_save(const lyapunov_soft_start_f64x6 *storage, lyapunov_soft_start_f64x6_memory *memory);
@@ -7543,7 +7717,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32screw_init_abi(lyapunov_soft_start_f32screw *storage, const lyapunov_soft_start_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32screw_init(storage, parameters) lyapunov_soft_start_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32screw_retune(lyapunov_soft_start_f32screw *storage, const lyapunov_soft_start_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32screw_save(const lyapunov_soft_start_f32screw *storage, lyapunov_soft_start_f32screw_memory *memory);
@@ -7590,7 +7765,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64screw_init_abi(lyapunov_soft_start_f64screw *storage, const lyapunov_soft_start_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64screw_init(storage, parameters) lyapunov_soft_start_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64screw_retune(lyapunov_soft_start_f64screw *storage, const lyapunov_soft_start_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64screw_save(const lyapunov_soft_start_f64screw *storage, lyapunov_soft_start_f64screw_memory *memory);
@@ -7636,7 +7812,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32_memory, word) == 0, lyapunov_ra
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32_init_abi(lyapunov_rate_limit_f32 *storage, const lyapunov_rate_limit_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32_init(storage, parameters) lyapunov_rate_limit_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32_retune(lyapunov_rate_limit_f32 *storage, const lyapunov_rate_limit_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32_save(const lyapunov_rate_limit_f32 *storage, lyapunov_rate_limit_f32_memory *memory);
@@ -7682,7 +7859,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64_memory, word) == 0, lyapunov_ra
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64_init_abi(lyapunov_rate_limit_f64 *storage, const lyapunov_rate_limit_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64_init(storage, parameters) lyapunov_rate_limit_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64_retune(lyapunov_rate_limit_f64 *storage, const lyapunov_rate_limit_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64_save(const lyapunov_rate_limit_f64 *storage, lyapunov_rate_limit_f64_memory *memory);
@@ -7728,7 +7906,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x3_init_abi(lyapunov_rate_limit_f32x3 *storage, const lyapunov_rate_limit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32x3_init(storage, parameters) lyapunov_rate_limit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x3_retune(lyapunov_rate_limit_f32x3 *storage, const lyapunov_rate_limit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32x3_save(const lyapunov_rate_limit_f32x3 *storage, lyapunov_rate_limit_f32x3_memory *memory);
@@ -7774,7 +7953,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x3_init_abi(lyapunov_rate_limit_f64x3 *storage, const lyapunov_rate_limit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64x3_init(storage, parameters) lyapunov_rate_limit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x3_retune(lyapunov_rate_limit_f64x3 *storage, const lyapunov_rate_limit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64x3_save(const lyapunov_rate_limit_f64x3 *storage, lyapunov_rate_limit_f64x3_memory *memory);
@@ -7820,7 +8000,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x6_init_abi(lyapunov_rate_limit_f32x6 *storage, const lyapunov_rate_limit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32x6_init(storage, parameters) lyapunov_rate_limit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x6_retune(lyapunov_rate_limit_f32x6 *storage, const lyapunov_rate_limit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32x6_save(const lyapunov_rate_limit_f32x6 *storage, lyapunov_rate_limit_f32x6_memory *memory);
@@ -7866,7 +8047,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x6_init_abi(lyapunov_rate_limit_f64x6 *storage, const lyapunov_rate_limit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64x6_init(storage, parameters) lyapunov_rate_limit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x6_retune(lyapunov_rate_limit_f64x6 *storage, const lyapunov_rate_limit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64x6_save(const lyapunov_rate_limit_f64x6 *storage, lyapunov_rate_limit_f64x6_memory *memory);
@@ -7912,7 +8094,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32screw_init_abi(lyapunov_rate_limit_f32screw *storage, const lyapunov_rate_limit_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32screw_init(storage, parameters) lyapunov_rate_limit_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32screw_retune(lyapunov_rate_limit_f32screw *storage, const lyapunov_rate_limit_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32screw_save(const lyapunov_rate_limit_f32screw *storage, lyapunov_rate_limit_f32screw_memory *memory);
@@ -7958,7 +8141,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64screw_init_abi(lyapunov_rate_limit_f64screw *storage, const lyapunov_rate_limit_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64screw_init(storage, parameters) lyapunov_rate_limit_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64screw_retune(lyapunov_rate_limit_f64screw *storage, const lyapunov_rate_limit_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64screw_save(const lyapunov_rate_limit_f64screw *storage, lyapunov_rate_limit_f64screw_memory *memory);
@@ -8005,7 +8189,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32_init_abi(lyapunov_axis_weights_f32 *storage, const lyapunov_axis_weights_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32_init(storage, parameters) lyapunov_axis_weights_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32_retune(lyapunov_axis_weights_f32 *storage, const lyapunov_axis_weights_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32_save(const lyapunov_axis_weights_f32 *storage, lyapunov_axis_weights_f32_memory *memory);
@@ -8052,7 +8237,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64_init_abi(lyapunov_axis_weights_f64 *storage, const lyapunov_axis_weights_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64_init(storage, parameters) lyapunov_axis_weights_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64_retune(lyapunov_axis_weights_f64 *storage, const lyapunov_axis_weights_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64_save(const lyapunov_axis_weights_f64 *storage, lyapunov_axis_weights_f64_memory *memory);
@@ -8099,7 +8285,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x3_init_abi(lyapunov_axis_weights_f32x3 *storage, const lyapunov_axis_weights_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32x3_init(storage, parameters) lyapunov_axis_weights_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x3_retune(lyapunov_axis_weights_f32x3 *storage, const lyapunov_axis_weights_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32x3_save(const lyapunov_axis_weights_f32x3 *storage, lyapunov_axis_weights_f32x3_memory *memory);
@@ -8146,7 +8333,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x3_init_abi(lyapunov_axis_weights_f64x3 *storage, const lyapunov_axis_weights_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64x3_init(storage, parameters) lyapunov_axis_weights_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x3_retune(lyapunov_axis_weights_f64x3 *storage, const lyapunov_axis_weights_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64x3_save(const lyapunov_axis_weights_f64x3 *storage, lyapunov_axis_weights_f64x3_memory *memory);
@@ -8193,7 +8381,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x6_init_abi(lyapunov_axis_weights_f32x6 *storage, const lyapunov_axis_weights_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32x6_init(storage, parameters) lyapunov_axis_weights_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x6_retune(lyapunov_axis_weights_f32x6 *storage, const lyapunov_axis_weights_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32x6_save(const lyapunov_axis_weights_f32x6 *storage, lyapunov_axis_weights_f32x6_memory *memory);
@@ -8240,7 +8429,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x6_init_abi(lyapunov_axis_weights_f64x6 *storage, const lyapunov_axis_weights_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64x6_init(storage, parameters) lyapunov_axis_weights_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x6_retune(lyapunov_axis_weights_f64x6 *storage, const lyapunov_axis_weights_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64x6_save(const lyapunov_axis_weights_f64x6 *storage, lyapunov_axis_weights_f64x6_memory *memory);
@@ -8287,7 +8477,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32screw_init_abi(lyapunov_axis_weights_f32screw *storage, const lyapunov_axis_weights_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32screw_init(storage, parameters) lyapunov_axis_weights_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32screw_retune(lyapunov_axis_weights_f32screw *storage, const lyapunov_axis_weights_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32screw_save(const lyapunov_axis_weights_f32screw *storage, lyapunov_axis_weights_f32screw_memory *memory);
@@ -8334,7 +8525,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64screw_init_abi(lyapunov_axis_weights_f64screw *storage, const lyapunov_axis_weights_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64screw_init(storage, parameters) lyapunov_axis_weights_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64screw_retune(lyapunov_axis_weights_f64screw *storage, const lyapunov_axis_weights_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64screw_save(const lyapunov_axis_weights_f64screw *storage, lyapunov_axis_weights_f64screw_memory *memory);
@@ -8381,7 +8573,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32_init_abi(lyapunov_along_direction_f32 *storage, const lyapunov_along_direction_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32_init(storage, parameters) lyapunov_along_direction_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32_retune(lyapunov_along_direction_f32 *storage, const lyapunov_along_direction_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32_save(const lyapunov_along_direction_f32 *storage, lyapunov_along_direction_f32_memory *memory);
@@ -8428,7 +8621,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64_init_abi(lyapunov_along_direction_f64 *storage, const lyapunov_along_direction_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64_init(storage, parameters) lyapunov_along_direction_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64_retune(lyapunov_along_direction_f64 *storage, const lyapunov_along_direction_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64_save(const lyapunov_along_direction_f64 *storage, lyapunov_along_direction_f64_memory *memory);
@@ -8475,7 +8669,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x3_init_abi(lyapunov_along_direction_f32x3 *storage, const lyapunov_along_direction_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32x3_init(storage, parameters) lyapunov_along_direction_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x3_retune(lyapunov_along_direction_f32x3 *storage, const lyapunov_along_direction_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32x3_save(const lyapunov_along_direction_f32x3 *storage, lyapunov_along_direction_f32x3_memory *memory);
@@ -8522,7 +8717,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x3_init_abi(lyapunov_along_direction_f64x3 *storage, const lyapunov_along_direction_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64x3_init(storage, parameters) lyapunov_along_direction_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x3_retune(lyapunov_along_direction_f64x3 *storage, const lyapunov_along_direction_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64x3_save(const lyapunov_along_direction_f64x3 *storage, lyapunov_along_direction_f64x3_memory *memory);
@@ -8569,7 +8765,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x6_init_abi(lyapunov_along_direction_f32x6 *storage, const lyapunov_along_direction_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32x6_init(storage, parameters) lyapunov_along_direction_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x6_retune(lyapunov_along_direction_f32x6 *storage, const lyapunov_along_direction_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32x6_save(const lyapunov_along_direction_f32x6 *storage, lyapunov_along_direction_f32x6_memory *memory);
@@ -8616,7 +8813,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x6_init_abi(lyapunov_along_direction_f64x6 *storage, const lyapunov_along_direction_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64x6_init(storage, parameters) lyapunov_along_direction_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x6_retune(lyapunov_along_direction_f64x6 *storage, const lyapunov_along_direction_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64x6_save(const lyapunov_along_direction_f64x6 *storage, lyapunov_along_direction_f64x6_memory *memory);
@@ -8663,7 +8861,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32screw_init_abi(lyapunov_along_direction_f32screw *storage, const lyapunov_along_direction_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32screw_init(storage, parameters) lyapunov_along_direction_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32screw_retune(lyapunov_along_direction_f32screw *storage, const lyapunov_along_direction_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32screw_save(const lyapunov_along_direction_f32screw *storage, lyapunov_along_direction_f32screw_memory *memory);
@@ -8710,7 +8909,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64screw_init_abi(lyapunov_along_direction_f64screw *storage, const lyapunov_along_direction_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64screw_init(storage, parameters) lyapunov_along_direction_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64screw_retune(lyapunov_along_direction_f64screw *storage, const lyapunov_along_direction_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64screw_save(const lyapunov_along_direction_f64screw *storage, lyapunov_along_direction_f64screw_memory *memory);
@@ -8757,7 +8957,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_init_abi(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_inertia_metric_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f32x3_init(storage, parameters) lyapunov_inertia_metric_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_retune(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_inertia_metric_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x3_save(const lyapunov_inertia_metric_f32x3 *storage, lyapunov_inertia_metric_f32x3_memory *memory);
@@ -8804,7 +9005,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_init_abi(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_inertia_metric_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f64x3_init(storage, parameters) lyapunov_inertia_metric_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_retune(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_inertia_metric_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x3_save(const lyapunov_inertia_metric_f64x3 *storage, lyapunov_inertia_metric_f64x3_memory *memory);
@@ -8851,7 +9053,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_init_abi(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_inertia_metric_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f32x6_init(storage, parameters) lyapunov_inertia_metric_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_retune(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_inertia_metric_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x6_save(const lyapunov_inertia_metric_f32x6 *storage, lyapunov_inertia_metric_f32x6_memory *memory);
@@ -8898,7 +9101,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_init_abi(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_inertia_metric_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f64x6_init(storage, parameters) lyapunov_inertia_metric_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_retune(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_inertia_metric_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x6_save(const lyapunov_inertia_metric_f64x6 *storage, lyapunov_inertia_metric_f64x6_memory *memory);
@@ -8954,7 +9158,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_init_abi(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_inertia_limit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f32x3_init(storage, parameters) lyapunov_inertia_limit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_retune(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_inertia_limit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x3_save(const lyapunov_inertia_limit_f32x3 *storage, lyapunov_inertia_limit_f32x3_memory *memory);
@@ -9010,7 +9215,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_init_abi(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_inertia_limit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f64x3_init(storage, parameters) lyapunov_inertia_limit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_retune(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_inertia_limit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x3_save(const lyapunov_inertia_limit_f64x3 *storage, lyapunov_inertia_limit_f64x3_memory *memory);
@@ -9066,7 +9272,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_init_abi(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_inertia_limit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f32x6_init(storage, parameters) lyapunov_inertia_limit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_retune(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_inertia_limit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x6_save(const lyapunov_inertia_limit_f32x6 *storage, lyapunov_inertia_limit_f32x6_memory *memory);
@@ -9122,7 +9329,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_init_abi(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_inertia_limit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f64x6_init(storage, parameters) lyapunov_inertia_limit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_retune(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_inertia_limit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x6_save(const lyapunov_inertia_limit_f64x6 *storage, lyapunov_inertia_limit_f64x6_memory *memory);
@@ -9172,7 +9380,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32_memory, word) == 0, lyapunov_pla
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32_init_abi(lyapunov_plausible_f32 *storage, const lyapunov_plausible_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32_init(storage, parameters) lyapunov_plausible_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32_retune(lyapunov_plausible_f32 *storage, const lyapunov_plausible_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32_save(const lyapunov_plausible_f32 *storage, lyapunov_plausible_f32_memory *memory);
@@ -9222,7 +9431,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64_memory, word) == 0, lyapunov_pla
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64_init_abi(lyapunov_plausible_f64 *storage, const lyapunov_plausible_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64_init(storage, parameters) lyapunov_plausible_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64_retune(lyapunov_plausible_f64 *storage, const lyapunov_plausible_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64_save(const lyapunov_plausible_f64 *storage, lyapunov_plausible_f64_memory *memory);
@@ -9272,7 +9482,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x3_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x3_init_abi(lyapunov_plausible_f32x3 *storage, const lyapunov_plausible_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32x3_init(storage, parameters) lyapunov_plausible_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x3_retune(lyapunov_plausible_f32x3 *storage, const lyapunov_plausible_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32x3_save(const lyapunov_plausible_f32x3 *storage, lyapunov_plausible_f32x3_memory *memory);
@@ -9322,7 +9533,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x3_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x3_init_abi(lyapunov_plausible_f64x3 *storage, const lyapunov_plausible_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64x3_init(storage, parameters) lyapunov_plausible_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x3_retune(lyapunov_plausible_f64x3 *storage, const lyapunov_plausible_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64x3_save(const lyapunov_plausible_f64x3 *storage, lyapunov_plausible_f64x3_memory *memory);
@@ -9372,7 +9584,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x6_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x6_init_abi(lyapunov_plausible_f32x6 *storage, const lyapunov_plausible_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32x6_init(storage, parameters) lyapunov_plausible_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x6_retune(lyapunov_plausible_f32x6 *storage, const lyapunov_plausible_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32x6_save(const lyapunov_plausible_f32x6 *storage, lyapunov_plausible_f32x6_memory *memory);
@@ -9422,7 +9635,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x6_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x6_init_abi(lyapunov_plausible_f64x6 *storage, const lyapunov_plausible_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64x6_init(storage, parameters) lyapunov_plausible_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x6_retune(lyapunov_plausible_f64x6 *storage, const lyapunov_plausible_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64x6_save(const lyapunov_plausible_f64x6 *storage, lyapunov_plausible_f64x6_memory *memory);
@@ -9472,7 +9686,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32screw_init_abi(lyapunov_plausible_f32screw *storage, const lyapunov_plausible_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32screw_init(storage, parameters) lyapunov_plausible_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32screw_retune(lyapunov_plausible_f32screw *storage, const lyapunov_plausible_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32screw_save(const lyapunov_plausible_f32screw *storage, lyapunov_plausible_f32screw_memory *memory);
@@ -9522,7 +9737,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64screw_init_abi(lyapunov_plausible_f64screw *storage, const lyapunov_plausible_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64screw_init(storage, parameters) lyapunov_plausible_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64screw_retune(lyapunov_plausible_f64screw *storage, const lyapunov_plausible_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64screw_save(const lyapunov_plausible_f64screw *storage, lyapunov_plausible_f64screw_memory *memory);
@@ -9572,7 +9788,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32_memory, word) == 0, lyapunov_watc
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32_init_abi(lyapunov_watchdog_f32 *storage, const lyapunov_watchdog_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32_init(storage, parameters) lyapunov_watchdog_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32_retune(lyapunov_watchdog_f32 *storage, const lyapunov_watchdog_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32_save(const lyapunov_watchdog_f32 *storage, lyapunov_watchdog_f32_memory *memory);
@@ -9622,7 +9839,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64_memory, word) == 0, lyapunov_watc
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64_init_abi(lyapunov_watchdog_f64 *storage, const lyapunov_watchdog_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64_init(storage, parameters) lyapunov_watchdog_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64_retune(lyapunov_watchdog_f64 *storage, const lyapunov_watchdog_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64_save(const lyapunov_watchdog_f64 *storage, lyapunov_watchdog_f64_memory *memory);
@@ -9672,7 +9890,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x3_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x3_init_abi(lyapunov_watchdog_f32x3 *storage, const lyapunov_watchdog_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32x3_init(storage, parameters) lyapunov_watchdog_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x3_retune(lyapunov_watchdog_f32x3 *storage, const lyapunov_watchdog_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32x3_save(const lyapunov_watchdog_f32x3 *storage, lyapunov_watchdog_f32x3_memory *memory);
@@ -9722,7 +9941,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x3_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x3_init_abi(lyapunov_watchdog_f64x3 *storage, const lyapunov_watchdog_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64x3_init(storage, parameters) lyapunov_watchdog_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x3_retune(lyapunov_watchdog_f64x3 *storage, const lyapunov_watchdog_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64x3_save(const lyapunov_watchdog_f64x3 *storage, lyapunov_watchdog_f64x3_memory *memory);
@@ -9772,7 +9992,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x6_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x6_init_abi(lyapunov_watchdog_f32x6 *storage, const lyapunov_watchdog_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32x6_init(storage, parameters) lyapunov_watchdog_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x6_retune(lyapunov_watchdog_f32x6 *storage, const lyapunov_watchdog_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32x6_save(const lyapunov_watchdog_f32x6 *storage, lyapunov_watchdog_f32x6_memory *memory);
@@ -9822,7 +10043,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x6_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x6_init_abi(lyapunov_watchdog_f64x6 *storage, const lyapunov_watchdog_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64x6_init(storage, parameters) lyapunov_watchdog_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x6_retune(lyapunov_watchdog_f64x6 *storage, const lyapunov_watchdog_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64x6_save(const lyapunov_watchdog_f64x6 *storage, lyapunov_watchdog_f64x6_memory *memory);
@@ -9872,7 +10094,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32screw_init_abi(lyapunov_watchdog_f32screw *storage, const lyapunov_watchdog_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32screw_init(storage, parameters) lyapunov_watchdog_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32screw_retune(lyapunov_watchdog_f32screw *storage, const lyapunov_watchdog_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32screw_save(const lyapunov_watchdog_f32screw *storage, lyapunov_watchdog_f32screw_memory *memory);
@@ -9922,7 +10145,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64screw_init_abi(lyapunov_watchdog_f64screw *storage, const lyapunov_watchdog_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64screw_init(storage, parameters) lyapunov_watchdog_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64screw_retune(lyapunov_watchdog_f64screw *storage, const lyapunov_watchdog_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64screw_save(const lyapunov_watchdog_f64screw *storage, lyapunov_watchdog_f64screw_memory *memory);
@@ -9986,7 +10210,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32_init_abi(lyapunov_safeguarded_f32 *storage, const lyapunov_safeguarded_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32_init(storage, parameters) lyapunov_safeguarded_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32_retune(lyapunov_safeguarded_f32 *storage, const lyapunov_safeguarded_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32_save(const lyapunov_safeguarded_f32 *storage, lyapunov_safeguarded_f32_memory *memory);
@@ -10050,7 +10275,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64_init_abi(lyapunov_safeguarded_f64 *storage, const lyapunov_safeguarded_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64_init(storage, parameters) lyapunov_safeguarded_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64_retune(lyapunov_safeguarded_f64 *storage, const lyapunov_safeguarded_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64_save(const lyapunov_safeguarded_f64 *storage, lyapunov_safeguarded_f64_memory *memory);
@@ -10114,7 +10340,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x3_init_abi(lyapunov_safeguarded_f32x3 *storage, const lyapunov_safeguarded_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32x3_init(storage, parameters) lyapunov_safeguarded_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x3_retune(lyapunov_safeguarded_f32x3 *storage, const lyapunov_safeguarded_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32x3_save(const lyapunov_safeguarded_f32x3 *storage, lyapunov_safeguarded_f32x3_memory *memory);
@@ -10178,7 +10405,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x3_init_abi(lyapunov_safeguarded_f64x3 *storage, const lyapunov_safeguarded_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64x3_init(storage, parameters) lyapunov_safeguarded_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x3_retune(lyapunov_safeguarded_f64x3 *storage, const lyapunov_safeguarded_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64x3_save(const lyapunov_safeguarded_f64x3 *storage, lyapunov_safeguarded_f64x3_memory *memory);
@@ -10242,7 +10470,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x6_init_abi(lyapunov_safeguarded_f32x6 *storage, const lyapunov_safeguarded_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32x6_init(storage, parameters) lyapunov_safeguarded_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x6_retune(lyapunov_safeguarded_f32x6 *storage, const lyapunov_safeguarded_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32x6_save(const lyapunov_safeguarded_f32x6 *storage, lyapunov_safeguarded_f32x6_memory *memory);
@@ -10306,7 +10535,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x6_init_abi(lyapunov_safeguarded_f64x6 *storage, const lyapunov_safeguarded_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64x6_init(storage, parameters) lyapunov_safeguarded_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x6_retune(lyapunov_safeguarded_f64x6 *storage, const lyapunov_safeguarded_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64x6_save(const lyapunov_safeguarded_f64x6 *storage, lyapunov_safeguarded_f64x6_memory *memory);
@@ -10370,7 +10600,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32screw_init_abi(lyapunov_safeguarded_f32screw *storage, const lyapunov_safeguarded_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32screw_init(storage, parameters) lyapunov_safeguarded_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32screw_retune(lyapunov_safeguarded_f32screw *storage, const lyapunov_safeguarded_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32screw_save(const lyapunov_safeguarded_f32screw *storage, lyapunov_safeguarded_f32screw_memory *memory);
@@ -10434,7 +10665,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64screw_init_abi(lyapunov_safeguarded_f64screw *storage, const lyapunov_safeguarded_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64screw_init(storage, parameters) lyapunov_safeguarded_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64screw_retune(lyapunov_safeguarded_f64screw *storage, const lyapunov_safeguarded_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64screw_save(const lyapunov_safeguarded_f64screw *storage, lyapunov_safeguarded_f64screw_memory *memory);
@@ -10478,7 +10710,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f32x3_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x3_init_abi(lyapunov_per_axis_f32x3 *storage, const lyapunov_per_axis_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f32x3_init(storage, parameters) lyapunov_per_axis_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x3_retune(lyapunov_per_axis_f32x3 *storage, const lyapunov_per_axis_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f32x3_save(const lyapunov_per_axis_f32x3 *storage, lyapunov_per_axis_f32x3_memory *memory);
@@ -10514,7 +10747,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f64x3_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x3_init_abi(lyapunov_per_axis_f64x3 *storage, const lyapunov_per_axis_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f64x3_init(storage, parameters) lyapunov_per_axis_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x3_retune(lyapunov_per_axis_f64x3 *storage, const lyapunov_per_axis_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f64x3_save(const lyapunov_per_axis_f64x3 *storage, lyapunov_per_axis_f64x3_memory *memory);
@@ -10550,7 +10784,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f32x6_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x6_init_abi(lyapunov_per_axis_f32x6 *storage, const lyapunov_per_axis_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f32x6_init(storage, parameters) lyapunov_per_axis_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x6_retune(lyapunov_per_axis_f32x6 *storage, const lyapunov_per_axis_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f32x6_save(const lyapunov_per_axis_f32x6 *storage, lyapunov_per_axis_f32x6_memory *memory);
@@ -10586,7 +10821,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f64x6_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x6_init_abi(lyapunov_per_axis_f64x6 *storage, const lyapunov_per_axis_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f64x6_init(storage, parameters) lyapunov_per_axis_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x6_retune(lyapunov_per_axis_f64x6 *storage, const lyapunov_per_axis_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f64x6_save(const lyapunov_per_axis_f64x6 *storage, lyapunov_per_axis_f64x6_memory *memory);
@@ -10624,7 +10860,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f32screw_init_abi(lyapunov_per_part_f32screw *storage, const lyapunov_per_part_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_per_part_f32screw_init(storage, parameters) lyapunov_per_part_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f32screw_retune(lyapunov_per_part_f32screw *storage, const lyapunov_per_part_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_part_f32screw_save(const lyapunov_per_part_f32screw *storage, lyapunov_per_part_f32screw_memory *memory);
@@ -10662,7 +10899,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f64screw_init_abi(lyapunov_per_part_f64screw *storage, const lyapunov_per_part_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_per_part_f64screw_init(storage, parameters) lyapunov_per_part_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f64screw_retune(lyapunov_per_part_f64screw *storage, const lyapunov_per_part_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_part_f64screw_save(const lyapunov_per_part_f64screw *storage, lyapunov_per_part_f64screw_memory *memory);
@@ -10711,7 +10949,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f32screw_init_abi(lyapunov_part_limits_f32screw *storage, const lyapunov_part_limits_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_part_limits_f32screw_init(storage, parameters) lyapunov_part_limits_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f32screw_retune(lyapunov_part_limits_f32screw *storage, const lyapunov_part_limits_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_part_limits_f32screw_save(const lyapunov_part_limits_f32screw *storage, lyapunov_part_limits_f32screw_memory *memory);
@@ -10768,7 +11007,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f64screw_init_abi(lyapunov_part_limits_f64screw *storage, const lyapunov_part_limits_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_part_limits_f64screw_init(storage, parameters) lyapunov_part_limits_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f64screw_retune(lyapunov_part_limits_f64screw *storage, const lyapunov_part_limits_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_part_limits_f64screw_save(const lyapunov_part_limits_f64screw *storage, lyapunov_part_limits_f64screw_memory *memory);
@@ -10811,7 +11051,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32_memory, word) == 0, lyapunov_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32_init_abi(lyapunov_force_bound_f32 *storage, const lyapunov_force_bound_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32_init(storage, parameters) lyapunov_force_bound_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32_retune(lyapunov_force_bound_f32 *storage, const lyapunov_force_bound_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32_save(const lyapunov_force_bound_f32 *storage, lyapunov_force_bound_f32_memory *memory);
@@ -10854,7 +11095,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64_memory, word) == 0, lyapunov_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64_init_abi(lyapunov_force_bound_f64 *storage, const lyapunov_force_bound_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64_init(storage, parameters) lyapunov_force_bound_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64_retune(lyapunov_force_bound_f64 *storage, const lyapunov_force_bound_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64_save(const lyapunov_force_bound_f64 *storage, lyapunov_force_bound_f64_memory *memory);
@@ -10897,7 +11139,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x3_init_abi(lyapunov_force_bound_f32x3 *storage, const lyapunov_force_bound_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32x3_init(storage, parameters) lyapunov_force_bound_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x3_retune(lyapunov_force_bound_f32x3 *storage, const lyapunov_force_bound_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32x3_save(const lyapunov_force_bound_f32x3 *storage, lyapunov_force_bound_f32x3_memory *memory);
@@ -10940,7 +11183,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x3_init_abi(lyapunov_force_bound_f64x3 *storage, const lyapunov_force_bound_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64x3_init(storage, parameters) lyapunov_force_bound_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x3_retune(lyapunov_force_bound_f64x3 *storage, const lyapunov_force_bound_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64x3_save(const lyapunov_force_bound_f64x3 *storage, lyapunov_force_bound_f64x3_memory *memory);
@@ -10983,7 +11227,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x6_init_abi(lyapunov_force_bound_f32x6 *storage, const lyapunov_force_bound_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32x6_init(storage, parameters) lyapunov_force_bound_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x6_retune(lyapunov_force_bound_f32x6 *storage, const lyapunov_force_bound_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32x6_save(const lyapunov_force_bound_f32x6 *storage, lyapunov_force_bound_f32x6_memory *memory);
@@ -11026,7 +11271,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x6_init_abi(lyapunov_force_bound_f64x6 *storage, const lyapunov_force_bound_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64x6_init(storage, parameters) lyapunov_force_bound_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x6_retune(lyapunov_force_bound_f64x6 *storage, const lyapunov_force_bound_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64x6_save(const lyapunov_force_bound_f64x6 *storage, lyapunov_force_bound_f64x6_memory *memory);
@@ -11069,7 +11315,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32screw_init_abi(lyapunov_force_bound_f32screw *storage, const lyapunov_force_bound_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32screw_init(storage, parameters) lyapunov_force_bound_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32screw_retune(lyapunov_force_bound_f32screw *storage, const lyapunov_force_bound_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32screw_save(const lyapunov_force_bound_f32screw *storage, lyapunov_force_bound_f32screw_memory *memory);
@@ -11112,7 +11359,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64screw_init_abi(lyapunov_force_bound_f64screw *storage, const lyapunov_force_bound_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64screw_init(storage, parameters) lyapunov_force_bound_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64screw_retune(lyapunov_force_bound_f64screw *storage, const lyapunov_force_bound_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64screw_save(const lyapunov_force_bound_f64screw *storage, lyapunov_force_bound_f64screw_memory *memory);
@@ -11155,7 +11403,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32_init_abi(lyapunov_force_bounding_f32 *storage, const lyapunov_force_bounding_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32_init(storage, parameters) lyapunov_force_bounding_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32_retune(lyapunov_force_bounding_f32 *storage, const lyapunov_force_bounding_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32_save(const lyapunov_force_bounding_f32 *storage, lyapunov_force_bounding_f32_memory *memory);
@@ -11198,7 +11447,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64_init_abi(lyapunov_force_bounding_f64 *storage, const lyapunov_force_bounding_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64_init(storage, parameters) lyapunov_force_bounding_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64_retune(lyapunov_force_bounding_f64 *storage, const lyapunov_force_bounding_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64_save(const lyapunov_force_bounding_f64 *storage, lyapunov_force_bounding_f64_memory *memory);
@@ -11241,7 +11491,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x3_init_abi(lyapunov_force_bounding_f32x3 *storage, const lyapunov_force_bounding_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32x3_init(storage, parameters) lyapunov_force_bounding_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x3_retune(lyapunov_force_bounding_f32x3 *storage, const lyapunov_force_bounding_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32x3_save(const lyapunov_force_bounding_f32x3 *storage, lyapunov_force_bounding_f32x3_memory *memory);
@@ -11284,7 +11535,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x3_init_abi(lyapunov_force_bounding_f64x3 *storage, const lyapunov_force_bounding_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64x3_init(storage, parameters) lyapunov_force_bounding_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x3_retune(lyapunov_force_bounding_f64x3 *storage, const lyapunov_force_bounding_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64x3_save(const lyapunov_force_bounding_f64x3 *storage, lyapunov_force_bounding_f64x3_memory *memory);
@@ -11327,7 +11579,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x6_init_abi(lyapunov_force_bounding_f32x6 *storage, const lyapunov_force_bounding_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32x6_init(storage, parameters) lyapunov_force_bounding_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x6_retune(lyapunov_force_bounding_f32x6 *storage, const lyapunov_force_bounding_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32x6_save(const lyapunov_force_bounding_f32x6 *storage, lyapunov_force_bounding_f32x6_memory *memory);
@@ -11370,7 +11623,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x6_init_abi(lyapunov_force_bounding_f64x6 *storage, const lyapunov_force_bounding_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64x6_init(storage, parameters) lyapunov_force_bounding_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x6_retune(lyapunov_force_bounding_f64x6 *storage, const lyapunov_force_bounding_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64x6_save(const lyapunov_force_bounding_f64x6 *storage, lyapunov_force_bounding_f64x6_memory *memory);
@@ -11413,7 +11667,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32screw_init_abi(lyapunov_force_bounding_f32screw *storage, const lyapunov_force_bounding_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32screw_init(storage, parameters) lyapunov_force_bounding_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32screw_retune(lyapunov_force_bounding_f32screw *storage, const lyapunov_force_bounding_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32screw_save(const lyapunov_force_bounding_f32screw *storage, lyapunov_force_bounding_f32screw_memory *memory);
@@ -11456,7 +11711,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64screw_init_abi(lyapunov_force_bounding_f64screw *storage, const lyapunov_force_bounding_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64screw_init(storage, parameters) lyapunov_force_bounding_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64screw_retune(lyapunov_force_bounding_f64screw *storage, const lyapunov_force_bounding_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64screw_save(const lyapunov_force_bounding_f64screw *storage, lyapunov_force_bounding_f64screw_memory *memory);
@@ -11511,7 +11767,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32_memory, word) == 0, lyapunov_tank_f32
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32_init_abi(lyapunov_tank_f32 *storage, const lyapunov_tank_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32_init(storage, parameters) lyapunov_tank_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32_retune(lyapunov_tank_f32 *storage, const lyapunov_tank_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32_save(const lyapunov_tank_f32 *storage, lyapunov_tank_f32_memory *memory);
@@ -11566,7 +11823,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64_memory, word) == 0, lyapunov_tank_f64
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64_init_abi(lyapunov_tank_f64 *storage, const lyapunov_tank_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64_init(storage, parameters) lyapunov_tank_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64_retune(lyapunov_tank_f64 *storage, const lyapunov_tank_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64_save(const lyapunov_tank_f64 *storage, lyapunov_tank_f64_memory *memory);
@@ -11621,7 +11879,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x3_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x3_init_abi(lyapunov_tank_f32x3 *storage, const lyapunov_tank_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32x3_init(storage, parameters) lyapunov_tank_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x3_retune(lyapunov_tank_f32x3 *storage, const lyapunov_tank_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32x3_save(const lyapunov_tank_f32x3 *storage, lyapunov_tank_f32x3_memory *memory);
@@ -11676,7 +11935,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x3_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x3_init_abi(lyapunov_tank_f64x3 *storage, const lyapunov_tank_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64x3_init(storage, parameters) lyapunov_tank_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x3_retune(lyapunov_tank_f64x3 *storage, const lyapunov_tank_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64x3_save(const lyapunov_tank_f64x3 *storage, lyapunov_tank_f64x3_memory *memory);
@@ -11731,7 +11991,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x6_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x6_init_abi(lyapunov_tank_f32x6 *storage, const lyapunov_tank_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32x6_init(storage, parameters) lyapunov_tank_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x6_retune(lyapunov_tank_f32x6 *storage, const lyapunov_tank_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32x6_save(const lyapunov_tank_f32x6 *storage, lyapunov_tank_f32x6_memory *memory);
@@ -11786,7 +12047,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x6_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x6_init_abi(lyapunov_tank_f64x6 *storage, const lyapunov_tank_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64x6_init(storage, parameters) lyapunov_tank_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x6_retune(lyapunov_tank_f64x6 *storage, const lyapunov_tank_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64x6_save(const lyapunov_tank_f64x6 *storage, lyapunov_tank_f64x6_memory *memory);
@@ -11841,7 +12103,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32screw_memory, word) == 0, lyapunov_tan
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32screw_init_abi(lyapunov_tank_f32screw *storage, const lyapunov_tank_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32screw_init(storage, parameters) lyapunov_tank_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32screw_retune(lyapunov_tank_f32screw *storage, const lyapunov_tank_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32screw_save(const lyapunov_tank_f32screw *storage, lyapunov_tank_f32screw_memory *memory);
@@ -11896,7 +12159,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64screw_memory, word) == 0, lyapunov_tan
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64screw_init_abi(lyapunov_tank_f64screw *storage, const lyapunov_tank_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64screw_init(storage, parameters) lyapunov_tank_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64screw_retune(lyapunov_tank_f64screw *storage, const lyapunov_tank_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64screw_save(const lyapunov_tank_f64screw *storage, lyapunov_tank_f64screw_memory *memory);
@@ -11950,7 +12214,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_memory, word) == 0, lyapunov_e
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_init_abi(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32_init(storage, parameters) lyapunov_energy_tank_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_retune(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32_save(const lyapunov_energy_tank_f32 *storage, lyapunov_energy_tank_f32_memory *memory);
@@ -12000,7 +12265,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_memory, word) == 0, lyapunov_e
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_init_abi(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64_init(storage, parameters) lyapunov_energy_tank_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_retune(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64_save(const lyapunov_energy_tank_f64 *storage, lyapunov_energy_tank_f64_memory *memory);
@@ -12050,7 +12316,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_init_abi(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32x3_init(storage, parameters) lyapunov_energy_tank_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_retune(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x3_save(const lyapunov_energy_tank_f32x3 *storage, lyapunov_energy_tank_f32x3_memory *memory);
@@ -12100,7 +12367,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_init_abi(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64x3_init(storage, parameters) lyapunov_energy_tank_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_retune(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x3_save(const lyapunov_energy_tank_f64x3 *storage, lyapunov_energy_tank_f64x3_memory *memory);
@@ -12150,7 +12418,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_init_abi(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32x6_init(storage, parameters) lyapunov_energy_tank_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_retune(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x6_save(const lyapunov_energy_tank_f32x6 *storage, lyapunov_energy_tank_f32x6_memory *memory);
@@ -12200,7 +12469,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_init_abi(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64x6_init(storage, parameters) lyapunov_energy_tank_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_retune(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x6_save(const lyapunov_energy_tank_f64x6 *storage, lyapunov_energy_tank_f64x6_memory *memory);
@@ -12250,7 +12520,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_init_abi(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32screw_init(storage, parameters) lyapunov_energy_tank_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_retune(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32screw_save(const lyapunov_energy_tank_f32screw *storage, lyapunov_energy_tank_f32screw_memory *memory);
@@ -12300,7 +12571,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_init_abi(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64screw_init(storage, parameters) lyapunov_energy_tank_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_retune(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64screw_save(const lyapunov_energy_tank_f64screw *storage, lyapunov_energy_tank_f64screw_memory *memory);
@@ -12345,7 +12617,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32_init_abi(lyapunov_energy_bounding_f32 *storage, const lyapunov_energy_bounding_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32_init(storage, parameters) lyapunov_energy_bounding_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32_retune(lyapunov_energy_bounding_f32 *storage, const lyapunov_energy_bounding_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32_save(const lyapunov_energy_bounding_f32 *storage, lyapunov_energy_bounding_f32_memory *memory);
@@ -12394,7 +12667,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64_init_abi(lyapunov_energy_bounding_f64 *storage, const lyapunov_energy_bounding_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64_init(storage, parameters) lyapunov_energy_bounding_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64_retune(lyapunov_energy_bounding_f64 *storage, const lyapunov_energy_bounding_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64_save(const lyapunov_energy_bounding_f64 *storage, lyapunov_energy_bounding_f64_memory *memory);
@@ -12443,7 +12717,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x3_init_abi(lyapunov_energy_bounding_f32x3 *storage, const lyapunov_energy_bounding_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32x3_init(storage, parameters) lyapunov_energy_bounding_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x3_retune(lyapunov_energy_bounding_f32x3 *storage, const lyapunov_energy_bounding_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32x3_save(const lyapunov_energy_bounding_f32x3 *storage, lyapunov_energy_bounding_f32x3_memory *memory);
@@ -12492,7 +12767,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x3_init_abi(lyapunov_energy_bounding_f64x3 *storage, const lyapunov_energy_bounding_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64x3_init(storage, parameters) lyapunov_energy_bounding_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x3_retune(lyapunov_energy_bounding_f64x3 *storage, const lyapunov_energy_bounding_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64x3_save(const lyapunov_energy_bounding_f64x3 *storage, lyapunov_energy_bounding_f64x3_memory *memory);
@@ -12541,7 +12817,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x6_init_abi(lyapunov_energy_bounding_f32x6 *storage, const lyapunov_energy_bounding_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32x6_init(storage, parameters) lyapunov_energy_bounding_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x6_retune(lyapunov_energy_bounding_f32x6 *storage, const lyapunov_energy_bounding_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32x6_save(const lyapunov_energy_bounding_f32x6 *storage, lyapunov_energy_bounding_f32x6_memory *memory);
@@ -12590,7 +12867,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x6_init_abi(lyapunov_energy_bounding_f64x6 *storage, const lyapunov_energy_bounding_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64x6_init(storage, parameters) lyapunov_energy_bounding_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x6_retune(lyapunov_energy_bounding_f64x6 *storage, const lyapunov_energy_bounding_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64x6_save(const lyapunov_energy_bounding_f64x6 *storage, lyapunov_energy_bounding_f64x6_memory *memory);
@@ -12640,7 +12918,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32screw_init_abi(lyapunov_energy_bounding_f32screw *storage, const lyapunov_energy_bounding_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32screw_init(storage, parameters) lyapunov_energy_bounding_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32screw_retune(lyapunov_energy_bounding_f32screw *storage, const lyapunov_energy_bounding_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32screw_save(const lyapunov_energy_bounding_f32screw *storage, lyapunov_energy_bounding_f32screw_memory *memory);
@@ -12690,7 +12969,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64screw_init_abi(lyapunov_energy_bounding_f64screw *storage, const lyapunov_energy_bounding_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64screw_init(storage, parameters) lyapunov_energy_bounding_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64screw_retune(lyapunov_energy_bounding_f64screw *storage, const lyapunov_energy_bounding_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64screw_save(const lyapunov_energy_bounding_f64screw *storage, lyapunov_energy_bounding_f64screw_memory *memory);
@@ -12744,7 +13024,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32_memory, word) == 0, lyapunov_le
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32_init_abi(lyapunov_least_norm_f32 *storage, const lyapunov_least_norm_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32_init(storage, parameters) lyapunov_least_norm_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32_retune(lyapunov_least_norm_f32 *storage, const lyapunov_least_norm_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32_save(const lyapunov_least_norm_f32 *storage, lyapunov_least_norm_f32_memory *memory);
@@ -12798,7 +13079,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64_memory, word) == 0, lyapunov_le
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64_init_abi(lyapunov_least_norm_f64 *storage, const lyapunov_least_norm_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64_init(storage, parameters) lyapunov_least_norm_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64_retune(lyapunov_least_norm_f64 *storage, const lyapunov_least_norm_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64_save(const lyapunov_least_norm_f64 *storage, lyapunov_least_norm_f64_memory *memory);
@@ -12852,7 +13134,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x3_init_abi(lyapunov_least_norm_f32x3 *storage, const lyapunov_least_norm_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32x3_init(storage, parameters) lyapunov_least_norm_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x3_retune(lyapunov_least_norm_f32x3 *storage, const lyapunov_least_norm_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32x3_save(const lyapunov_least_norm_f32x3 *storage, lyapunov_least_norm_f32x3_memory *memory);
@@ -12906,7 +13189,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x3_init_abi(lyapunov_least_norm_f64x3 *storage, const lyapunov_least_norm_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64x3_init(storage, parameters) lyapunov_least_norm_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x3_retune(lyapunov_least_norm_f64x3 *storage, const lyapunov_least_norm_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64x3_save(const lyapunov_least_norm_f64x3 *storage, lyapunov_least_norm_f64x3_memory *memory);
@@ -12960,7 +13244,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x6_init_abi(lyapunov_least_norm_f32x6 *storage, const lyapunov_least_norm_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32x6_init(storage, parameters) lyapunov_least_norm_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x6_retune(lyapunov_least_norm_f32x6 *storage, const lyapunov_least_norm_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32x6_save(const lyapunov_least_norm_f32x6 *storage, lyapunov_least_norm_f32x6_memory *memory);
@@ -13014,7 +13299,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x6_init_abi(lyapunov_least_norm_f64x6 *storage, const lyapunov_least_norm_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64x6_init(storage, parameters) lyapunov_least_norm_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x6_retune(lyapunov_least_norm_f64x6 *storage, const lyapunov_least_norm_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64x6_save(const lyapunov_least_norm_f64x6 *storage, lyapunov_least_norm_f64x6_memory *memory);
@@ -13068,7 +13354,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32screw_init_abi(lyapunov_least_norm_f32screw *storage, const lyapunov_least_norm_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32screw_init(storage, parameters) lyapunov_least_norm_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32screw_retune(lyapunov_least_norm_f32screw *storage, const lyapunov_least_norm_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32screw_save(const lyapunov_least_norm_f32screw *storage, lyapunov_least_norm_f32screw_memory *memory);
@@ -13122,7 +13409,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64screw_init_abi(lyapunov_least_norm_f64screw *storage, const lyapunov_least_norm_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64screw_init(storage, parameters) lyapunov_least_norm_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64screw_retune(lyapunov_least_norm_f64screw *storage, const lyapunov_least_norm_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64screw_save(const lyapunov_least_norm_f64screw *storage, lyapunov_least_norm_f64screw_memory *memory);
@@ -13169,7 +13457,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32_init_abi(lyapunov_slope_bound_f32 *storage, const lyapunov_slope_bound_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32_init(storage, parameters) lyapunov_slope_bound_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32_retune(lyapunov_slope_bound_f32 *storage, const lyapunov_slope_bound_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32_save(const lyapunov_slope_bound_f32 *storage, lyapunov_slope_bound_f32_memory *memory);
@@ -13216,7 +13505,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64_init_abi(lyapunov_slope_bound_f64 *storage, const lyapunov_slope_bound_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64_init(storage, parameters) lyapunov_slope_bound_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64_retune(lyapunov_slope_bound_f64 *storage, const lyapunov_slope_bound_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64_save(const lyapunov_slope_bound_f64 *storage, lyapunov_slope_bound_f64_memory *memory);
@@ -13263,7 +13553,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x3_init_abi(lyapunov_slope_bound_f32x3 *storage, const lyapunov_slope_bound_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32x3_init(storage, parameters) lyapunov_slope_bound_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x3_retune(lyapunov_slope_bound_f32x3 *storage, const lyapunov_slope_bound_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32x3_save(const lyapunov_slope_bound_f32x3 *storage, lyapunov_slope_bound_f32x3_memory *memory);
@@ -13310,7 +13601,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x3_init_abi(lyapunov_slope_bound_f64x3 *storage, const lyapunov_slope_bound_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64x3_init(storage, parameters) lyapunov_slope_bound_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x3_retune(lyapunov_slope_bound_f64x3 *storage, const lyapunov_slope_bound_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64x3_save(const lyapunov_slope_bound_f64x3 *storage, lyapunov_slope_bound_f64x3_memory *memory);
@@ -13357,7 +13649,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x6_init_abi(lyapunov_slope_bound_f32x6 *storage, const lyapunov_slope_bound_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32x6_init(storage, parameters) lyapunov_slope_bound_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x6_retune(lyapunov_slope_bound_f32x6 *storage, const lyapunov_slope_bound_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32x6_save(const lyapunov_slope_bound_f32x6 *storage, lyapunov_slope_bound_f32x6_memory *memory);
@@ -13404,7 +13697,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x6_init_abi(lyapunov_slope_bound_f64x6 *storage, const lyapunov_slope_bound_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64x6_init(storage, parameters) lyapunov_slope_bound_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x6_retune(lyapunov_slope_bound_f64x6 *storage, const lyapunov_slope_bound_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64x6_save(const lyapunov_slope_bound_f64x6 *storage, lyapunov_slope_bound_f64x6_memory *memory);
@@ -13451,7 +13745,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32screw_init_abi(lyapunov_slope_bound_f32screw *storage, const lyapunov_slope_bound_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32screw_init(storage, parameters) lyapunov_slope_bound_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32screw_retune(lyapunov_slope_bound_f32screw *storage, const lyapunov_slope_bound_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32screw_save(const lyapunov_slope_bound_f32screw *storage, lyapunov_slope_bound_f32screw_memory *memory);
@@ -13498,7 +13793,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64screw_init_abi(lyapunov_slope_bound_f64screw *storage, const lyapunov_slope_bound_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64screw_init(storage, parameters) lyapunov_slope_bound_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64screw_retune(lyapunov_slope_bound_f64screw *storage, const lyapunov_slope_bound_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64screw_save(const lyapunov_slope_bound_f64screw *storage, lyapunov_slope_bound_f64screw_memory *memory);
@@ -13548,7 +13844,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f32_init_abi(lyapunov_memory_based_f32 *storage, const lyapunov_memory_based_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_memory_based_f32_init(storage, parameters) lyapunov_memory_based_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f32_retune(lyapunov_memory_based_f32 *storage, const lyapunov_memory_based_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_memory_based_f32_save(const lyapunov_memory_based_f32 *storage, lyapunov_memory_based_f32_memory *memory);
@@ -13598,7 +13895,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f64_init_abi(lyapunov_memory_based_f64 *storage, const lyapunov_memory_based_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_memory_based_f64_init(storage, parameters) lyapunov_memory_based_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f64_retune(lyapunov_memory_based_f64 *storage, const lyapunov_memory_based_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_memory_based_f64_save(const lyapunov_memory_based_f64 *storage, lyapunov_memory_based_f64_memory *memory);
@@ -13645,7 +13943,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f32_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f32_init_abi(lyapunov_path_memory_f32 *storage, const lyapunov_path_memory_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_path_memory_f32_init(storage, parameters) lyapunov_path_memory_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f32_retune(lyapunov_path_memory_f32 *storage, const lyapunov_path_memory_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_path_memory_f32_save(const lyapunov_path_memory_f32 *storage, lyapunov_path_memory_f32_memory *memory);
@@ -13684,7 +13983,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f64_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f64_init_abi(lyapunov_path_memory_f64 *storage, const lyapunov_path_memory_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_path_memory_f64_init(storage, parameters) lyapunov_path_memory_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f64_retune(lyapunov_path_memory_f64 *storage, const lyapunov_path_memory_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_path_memory_f64_save(const lyapunov_path_memory_f64 *storage, lyapunov_path_memory_f64_memory *memory);
@@ -13720,7 +14020,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32_init_abi(lyapunov_two_port_side_f32 *storage, const lyapunov_two_port_side_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32_init(storage, parameters) lyapunov_two_port_side_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32_retune(lyapunov_two_port_side_f32 *storage, const lyapunov_two_port_side_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32_save(const lyapunov_two_port_side_f32 *storage, lyapunov_two_port_side_f32_memory *memory);
@@ -13768,7 +14069,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64_init_abi(lyapunov_two_port_side_f64 *storage, const lyapunov_two_port_side_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64_init(storage, parameters) lyapunov_two_port_side_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64_retune(lyapunov_two_port_side_f64 *storage, const lyapunov_two_port_side_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64_save(const lyapunov_two_port_side_f64 *storage, lyapunov_two_port_side_f64_memory *memory);
@@ -13816,7 +14118,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x3_init_abi(lyapunov_two_port_side_f32x3 *storage, const lyapunov_two_port_side_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32x3_init(storage, parameters) lyapunov_two_port_side_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x3_retune(lyapunov_two_port_side_f32x3 *storage, const lyapunov_two_port_side_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x3_save(const lyapunov_two_port_side_f32x3 *storage, lyapunov_two_port_side_f32x3_memory *memory);
@@ -13864,7 +14167,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x3_init_abi(lyapunov_two_port_side_f64x3 *storage, const lyapunov_two_port_side_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64x3_init(storage, parameters) lyapunov_two_port_side_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x3_retune(lyapunov_two_port_side_f64x3 *storage, const lyapunov_two_port_side_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x3_save(const lyapunov_two_port_side_f64x3 *storage, lyapunov_two_port_side_f64x3_memory *memory);
@@ -13912,7 +14216,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x6_init_abi(lyapunov_two_port_side_f32x6 *storage, const lyapunov_two_port_side_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32x6_init(storage, parameters) lyapunov_two_port_side_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x6_retune(lyapunov_two_port_side_f32x6 *storage, const lyapunov_two_port_side_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x6_save(const lyapunov_two_port_side_f32x6 *storage, lyapunov_two_port_side_f32x6_memory *memory);
@@ -13960,7 +14265,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x6_init_abi(lyapunov_two_port_side_f64x6 *storage, const lyapunov_two_port_side_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64x6_init(storage, parameters) lyapunov_two_port_side_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x6_retune(lyapunov_two_port_side_f64x6 *storage, const lyapunov_two_port_side_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x6_save(const lyapunov_two_port_side_f64x6 *storage, lyapunov_two_port_side_f64x6_memory *memory);
@@ -14008,7 +14314,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32screw_init_abi(lyapunov_two_port_side_f32screw *storage, const lyapunov_two_port_side_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32screw_init(storage, parameters) lyapunov_two_port_side_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32screw_retune(lyapunov_two_port_side_f32screw *storage, const lyapunov_two_port_side_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32screw_save(const lyapunov_two_port_side_f32screw *storage, lyapunov_two_port_side_f32screw_memory *memory);
@@ -14056,7 +14363,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64screw_init_abi(lyapunov_two_port_side_f64screw *storage, const lyapunov_two_port_side_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64screw_init(storage, parameters) lyapunov_two_port_side_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64screw_retune(lyapunov_two_port_side_f64screw *storage, const lyapunov_two_port_side_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64screw_save(const lyapunov_two_port_side_f64screw *storage, lyapunov_two_port_side_f64screw_memory *memory);
@@ -14110,7 +14418,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32_init_abi(lyapunov_drift_compensated_f32 *storage, const lyapunov_drift_compensated_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32_init(storage, parameters) lyapunov_drift_compensated_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32_retune(lyapunov_drift_compensated_f32 *storage, const lyapunov_drift_compensated_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32_save(const lyapunov_drift_compensated_f32 *storage, lyapunov_drift_compensated_f32_memory *memory);
@@ -14164,7 +14473,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64_init_abi(lyapunov_drift_compensated_f64 *storage, const lyapunov_drift_compensated_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64_init(storage, parameters) lyapunov_drift_compensated_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64_retune(lyapunov_drift_compensated_f64 *storage, const lyapunov_drift_compensated_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64_save(const lyapunov_drift_compensated_f64 *storage, lyapunov_drift_compensated_f64_memory *memory);
@@ -14218,7 +14528,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x3_init_abi(lyapunov_drift_compensated_f32x3 *storage, const lyapunov_drift_compensated_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32x3_init(storage, parameters) lyapunov_drift_compensated_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x3_retune(lyapunov_drift_compensated_f32x3 *storage, const lyapunov_drift_compensated_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x3_save(const lyapunov_drift_compensated_f32x3 *storage, lyapunov_drift_compensated_f32x3_memory *memory);
@@ -14272,7 +14583,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x3_init_abi(lyapunov_drift_compensated_f64x3 *storage, const lyapunov_drift_compensated_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64x3_init(storage, parameters) lyapunov_drift_compensated_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x3_retune(lyapunov_drift_compensated_f64x3 *storage, const lyapunov_drift_compensated_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x3_save(const lyapunov_drift_compensated_f64x3 *storage, lyapunov_drift_compensated_f64x3_memory *memory);
@@ -14326,7 +14638,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x6_init_abi(lyapunov_drift_compensated_f32x6 *storage, const lyapunov_drift_compensated_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32x6_init(storage, parameters) lyapunov_drift_compensated_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x6_retune(lyapunov_drift_compensated_f32x6 *storage, const lyapunov_drift_compensated_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x6_save(const lyapunov_drift_compensated_f32x6 *storage, lyapunov_drift_compensated_f32x6_memory *memory);
@@ -14380,7 +14693,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x6_init_abi(lyapunov_drift_compensated_f64x6 *storage, const lyapunov_drift_compensated_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64x6_init(storage, parameters) lyapunov_drift_compensated_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x6_retune(lyapunov_drift_compensated_f64x6 *storage, const lyapunov_drift_compensated_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x6_save(const lyapunov_drift_compensated_f64x6 *storage, lyapunov_drift_compensated_f64x6_memory *memory);
@@ -14434,7 +14748,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32screw_init_abi(lyapunov_drift_compensated_f32screw *storage, const lyapunov_drift_compensated_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32screw_init(storage, parameters) lyapunov_drift_compensated_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32screw_retune(lyapunov_drift_compensated_f32screw *storage, const lyapunov_drift_compensated_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32screw_save(const lyapunov_drift_compensated_f32screw *storage, lyapunov_drift_compensated_f32screw_memory *memory);
@@ -14488,7 +14803,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64screw_init_abi(lyapunov_drift_compensated_f64screw *storage, const lyapunov_drift_compensated_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64screw_init(storage, parameters) lyapunov_drift_compensated_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64screw_retune(lyapunov_drift_compensated_f64screw *storage, const lyapunov_drift_compensated_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64screw_save(const lyapunov_drift_compensated_f64screw *storage, lyapunov_drift_compensated_f64screw_memory *memory);
@@ -14545,7 +14861,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32_memory, word) == 0, lyapunov_two
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32_init_abi(lyapunov_two_layer_f32 *storage, const lyapunov_two_layer_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32_init(storage, parameters) lyapunov_two_layer_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32_retune(lyapunov_two_layer_f32 *storage, const lyapunov_two_layer_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32_save(const lyapunov_two_layer_f32 *storage, lyapunov_two_layer_f32_memory *memory);
@@ -14602,7 +14919,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64_memory, word) == 0, lyapunov_two
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64_init_abi(lyapunov_two_layer_f64 *storage, const lyapunov_two_layer_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64_init(storage, parameters) lyapunov_two_layer_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64_retune(lyapunov_two_layer_f64 *storage, const lyapunov_two_layer_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64_save(const lyapunov_two_layer_f64 *storage, lyapunov_two_layer_f64_memory *memory);
@@ -14659,7 +14977,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x3_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x3_init_abi(lyapunov_two_layer_f32x3 *storage, const lyapunov_two_layer_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32x3_init(storage, parameters) lyapunov_two_layer_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x3_retune(lyapunov_two_layer_f32x3 *storage, const lyapunov_two_layer_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32x3_save(const lyapunov_two_layer_f32x3 *storage, lyapunov_two_layer_f32x3_memory *memory);
@@ -14716,7 +15035,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x3_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x3_init_abi(lyapunov_two_layer_f64x3 *storage, const lyapunov_two_layer_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64x3_init(storage, parameters) lyapunov_two_layer_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x3_retune(lyapunov_two_layer_f64x3 *storage, const lyapunov_two_layer_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64x3_save(const lyapunov_two_layer_f64x3 *storage, lyapunov_two_layer_f64x3_memory *memory);
@@ -14773,7 +15093,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x6_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x6_init_abi(lyapunov_two_layer_f32x6 *storage, const lyapunov_two_layer_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32x6_init(storage, parameters) lyapunov_two_layer_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x6_retune(lyapunov_two_layer_f32x6 *storage, const lyapunov_two_layer_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32x6_save(const lyapunov_two_layer_f32x6 *storage, lyapunov_two_layer_f32x6_memory *memory);
@@ -14830,7 +15151,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x6_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x6_init_abi(lyapunov_two_layer_f64x6 *storage, const lyapunov_two_layer_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64x6_init(storage, parameters) lyapunov_two_layer_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x6_retune(lyapunov_two_layer_f64x6 *storage, const lyapunov_two_layer_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64x6_save(const lyapunov_two_layer_f64x6 *storage, lyapunov_two_layer_f64x6_memory *memory);
@@ -14887,7 +15209,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32screw_init_abi(lyapunov_two_layer_f32screw *storage, const lyapunov_two_layer_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32screw_init(storage, parameters) lyapunov_two_layer_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32screw_retune(lyapunov_two_layer_f32screw *storage, const lyapunov_two_layer_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32screw_save(const lyapunov_two_layer_f32screw *storage, lyapunov_two_layer_f32screw_memory *memory);
@@ -14944,7 +15267,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64screw_init_abi(lyapunov_two_layer_f64screw *storage, const lyapunov_two_layer_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64screw_init(storage, parameters) lyapunov_two_layer_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64screw_retune(lyapunov_two_layer_f64screw *storage, const lyapunov_two_layer_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64screw_save(const lyapunov_two_layer_f64screw *storage, lyapunov_two_layer_f64screw_memory *memory);
@@ -14992,7 +15316,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_init_abi(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32_init(storage, parameters) lyapunov_wave_transform_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_retune(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_save(const lyapunov_wave_transform_f32 *storage, lyapunov_wave_transform_f32_memory *memory);
@@ -15034,7 +15359,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_init_abi(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64_init(storage, parameters) lyapunov_wave_transform_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_retune(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_save(const lyapunov_wave_transform_f64 *storage, lyapunov_wave_transform_f64_memory *memory);
@@ -15076,7 +15402,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_init_abi(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32x3_init(storage, parameters) lyapunov_wave_transform_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_retune(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_save(const lyapunov_wave_transform_f32x3 *storage, lyapunov_wave_transform_f32x3_memory *memory);
@@ -15118,7 +15445,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_init_abi(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64x3_init(storage, parameters) lyapunov_wave_transform_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_retune(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_save(const lyapunov_wave_transform_f64x3 *storage, lyapunov_wave_transform_f64x3_memory *memory);
@@ -15160,7 +15488,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_init_abi(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32x6_init(storage, parameters) lyapunov_wave_transform_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_retune(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_save(const lyapunov_wave_transform_f32x6 *storage, lyapunov_wave_transform_f32x6_memory *memory);
@@ -15202,7 +15531,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_init_abi(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64x6_init(storage, parameters) lyapunov_wave_transform_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_retune(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_save(const lyapunov_wave_transform_f64x6 *storage, lyapunov_wave_transform_f64x6_memory *memory);
@@ -15244,7 +15574,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_init_abi(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32screw_init(storage, parameters) lyapunov_wave_transform_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_retune(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_save(const lyapunov_wave_transform_f32screw *storage, lyapunov_wave_transform_f32screw_memory *memory);
@@ -15286,7 +15617,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_init_abi(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64screw_init(storage, parameters) lyapunov_wave_transform_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_retune(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_save(const lyapunov_wave_transform_f64screw *storage, lyapunov_wave_transform_f64screw_memory *memory);
@@ -15327,7 +15659,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32_memory, word) == 0, lyapunov_w
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32_init_abi(lyapunov_wave_filter_f32 *storage, const lyapunov_wave_filter_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32_init(storage, parameters) lyapunov_wave_filter_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32_retune(lyapunov_wave_filter_f32 *storage, const lyapunov_wave_filter_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32_save(const lyapunov_wave_filter_f32 *storage, lyapunov_wave_filter_f32_memory *memory);
@@ -15362,7 +15695,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64_memory, word) == 0, lyapunov_w
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64_init_abi(lyapunov_wave_filter_f64 *storage, const lyapunov_wave_filter_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64_init(storage, parameters) lyapunov_wave_filter_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64_retune(lyapunov_wave_filter_f64 *storage, const lyapunov_wave_filter_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64_save(const lyapunov_wave_filter_f64 *storage, lyapunov_wave_filter_f64_memory *memory);
@@ -15397,7 +15731,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x3_init_abi(lyapunov_wave_filter_f32x3 *storage, const lyapunov_wave_filter_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32x3_init(storage, parameters) lyapunov_wave_filter_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x3_retune(lyapunov_wave_filter_f32x3 *storage, const lyapunov_wave_filter_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x3_save(const lyapunov_wave_filter_f32x3 *storage, lyapunov_wave_filter_f32x3_memory *memory);
@@ -15432,7 +15767,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x3_init_abi(lyapunov_wave_filter_f64x3 *storage, const lyapunov_wave_filter_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64x3_init(storage, parameters) lyapunov_wave_filter_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x3_retune(lyapunov_wave_filter_f64x3 *storage, const lyapunov_wave_filter_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x3_save(const lyapunov_wave_filter_f64x3 *storage, lyapunov_wave_filter_f64x3_memory *memory);
@@ -15467,7 +15803,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x6_init_abi(lyapunov_wave_filter_f32x6 *storage, const lyapunov_wave_filter_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32x6_init(storage, parameters) lyapunov_wave_filter_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x6_retune(lyapunov_wave_filter_f32x6 *storage, const lyapunov_wave_filter_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x6_save(const lyapunov_wave_filter_f32x6 *storage, lyapunov_wave_filter_f32x6_memory *memory);
@@ -15502,7 +15839,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x6_init_abi(lyapunov_wave_filter_f64x6 *storage, const lyapunov_wave_filter_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64x6_init(storage, parameters) lyapunov_wave_filter_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x6_retune(lyapunov_wave_filter_f64x6 *storage, const lyapunov_wave_filter_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x6_save(const lyapunov_wave_filter_f64x6 *storage, lyapunov_wave_filter_f64x6_memory *memory);
@@ -15537,7 +15875,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32screw_init_abi(lyapunov_wave_filter_f32screw *storage, const lyapunov_wave_filter_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32screw_init(storage, parameters) lyapunov_wave_filter_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32screw_retune(lyapunov_wave_filter_f32screw *storage, const lyapunov_wave_filter_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32screw_save(const lyapunov_wave_filter_f32screw *storage, lyapunov_wave_filter_f32screw_memory *memory);
@@ -15572,7 +15911,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64screw_init_abi(lyapunov_wave_filter_f64screw *storage, const lyapunov_wave_filter_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64screw_init(storage, parameters) lyapunov_wave_filter_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64screw_retune(lyapunov_wave_filter_f64screw *storage, const lyapunov_wave_filter_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64screw_save(const lyapunov_wave_filter_f64screw *storage, lyapunov_wave_filter_f64screw_memory *memory);
@@ -15615,7 +15955,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_init_abi(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32_init(storage, parameters) lyapunov_wave_follower_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_retune(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32_save(const lyapunov_wave_follower_f32 *storage, lyapunov_wave_follower_f32_memory *memory);
@@ -15659,7 +16000,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_init_abi(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64_init(storage, parameters) lyapunov_wave_follower_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_retune(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64_save(const lyapunov_wave_follower_f64 *storage, lyapunov_wave_follower_f64_memory *memory);
@@ -15703,7 +16045,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_init_abi(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32x3_init(storage, parameters) lyapunov_wave_follower_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_retune(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x3_save(const lyapunov_wave_follower_f32x3 *storage, lyapunov_wave_follower_f32x3_memory *memory);
@@ -15747,7 +16090,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_init_abi(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64x3_init(storage, parameters) lyapunov_wave_follower_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_retune(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x3_save(const lyapunov_wave_follower_f64x3 *storage, lyapunov_wave_follower_f64x3_memory *memory);
@@ -15791,7 +16135,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_init_abi(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32x6_init(storage, parameters) lyapunov_wave_follower_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_retune(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x6_save(const lyapunov_wave_follower_f32x6 *storage, lyapunov_wave_follower_f32x6_memory *memory);
@@ -15835,7 +16180,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_init_abi(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64x6_init(storage, parameters) lyapunov_wave_follower_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_retune(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x6_save(const lyapunov_wave_follower_f64x6 *storage, lyapunov_wave_follower_f64x6_memory *memory);
@@ -15879,7 +16225,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_init_abi(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32screw_init(storage, parameters) lyapunov_wave_follower_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_retune(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32screw_save(const lyapunov_wave_follower_f32screw *storage, lyapunov_wave_follower_f32screw_memory *memory);
@@ -15923,7 +16270,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_init_abi(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64screw_init(storage, parameters) lyapunov_wave_follower_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_retune(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64screw_save(const lyapunov_wave_follower_f64screw *storage, lyapunov_wave_follower_f64screw_memory *memory);
@@ -15960,7 +16308,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32_memory, word) == 0, lyapunov_obse
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32_init_abi(lyapunov_observer_f32 *storage, const lyapunov_observer_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32_init(storage, parameters) lyapunov_observer_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32_retune(lyapunov_observer_f32 *storage, const lyapunov_observer_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32_save(const lyapunov_observer_f32 *storage, lyapunov_observer_f32_memory *memory);
@@ -15996,7 +16345,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64_memory, word) == 0, lyapunov_obse
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64_init_abi(lyapunov_observer_f64 *storage, const lyapunov_observer_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64_init(storage, parameters) lyapunov_observer_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64_retune(lyapunov_observer_f64 *storage, const lyapunov_observer_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64_save(const lyapunov_observer_f64 *storage, lyapunov_observer_f64_memory *memory);
@@ -16032,7 +16382,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32x3_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x3_init_abi(lyapunov_observer_f32x3 *storage, const lyapunov_observer_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32x3_init(storage, parameters) lyapunov_observer_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x3_retune(lyapunov_observer_f32x3 *storage, const lyapunov_observer_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32x3_save(const lyapunov_observer_f32x3 *storage, lyapunov_observer_f32x3_memory *memory);
@@ -16068,7 +16419,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64x3_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x3_init_abi(lyapunov_observer_f64x3 *storage, const lyapunov_observer_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64x3_init(storage, parameters) lyapunov_observer_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x3_retune(lyapunov_observer_f64x3 *storage, const lyapunov_observer_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64x3_save(const lyapunov_observer_f64x3 *storage, lyapunov_observer_f64x3_memory *memory);
@@ -16104,7 +16456,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32x6_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x6_init_abi(lyapunov_observer_f32x6 *storage, const lyapunov_observer_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32x6_init(storage, parameters) lyapunov_observer_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x6_retune(lyapunov_observer_f32x6 *storage, const lyapunov_observer_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32x6_save(const lyapunov_observer_f32x6 *storage, lyapunov_observer_f32x6_memory *memory);
@@ -16140,7 +16493,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64x6_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x6_init_abi(lyapunov_observer_f64x6 *storage, const lyapunov_observer_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64x6_init(storage, parameters) lyapunov_observer_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x6_retune(lyapunov_observer_f64x6 *storage, const lyapunov_observer_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64x6_save(const lyapunov_observer_f64x6 *storage, lyapunov_observer_f64x6_memory *memory);
@@ -16176,7 +16530,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32screw_init_abi(lyapunov_observer_f32screw *storage, const lyapunov_observer_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32screw_init(storage, parameters) lyapunov_observer_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32screw_retune(lyapunov_observer_f32screw *storage, const lyapunov_observer_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32screw_save(const lyapunov_observer_f32screw *storage, lyapunov_observer_f32screw_memory *memory);
@@ -16212,7 +16567,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64screw_init_abi(lyapunov_observer_f64screw *storage, const lyapunov_observer_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64screw_init(storage, parameters) lyapunov_observer_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64screw_retune(lyapunov_observer_f64screw *storage, const lyapunov_observer_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64screw_save(const lyapunov_observer_f64screw *storage, lyapunov_observer_f64screw_memory *memory);
@@ -16248,7 +16604,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32_init_abi(lyapunov_energy_meter_f32 *storage, const lyapunov_energy_meter_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32_init(storage, parameters) lyapunov_energy_meter_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32_retune(lyapunov_energy_meter_f32 *storage, const lyapunov_energy_meter_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_save(const lyapunov_energy_meter_f32 *storage, lyapunov_energy_meter_f32_memory *memory);
@@ -16287,7 +16644,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64_init_abi(lyapunov_energy_meter_f64 *storage, const lyapunov_energy_meter_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64_init(storage, parameters) lyapunov_energy_meter_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64_retune(lyapunov_energy_meter_f64 *storage, const lyapunov_energy_meter_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_save(const lyapunov_energy_meter_f64 *storage, lyapunov_energy_meter_f64_memory *memory);
@@ -16326,7 +16684,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x3_init_abi(lyapunov_energy_meter_f32x3 *storage, const lyapunov_energy_meter_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32x3_init(storage, parameters) lyapunov_energy_meter_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x3_retune(lyapunov_energy_meter_f32x3 *storage, const lyapunov_energy_meter_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_save(const lyapunov_energy_meter_f32x3 *storage, lyapunov_energy_meter_f32x3_memory *memory);
@@ -16365,7 +16724,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x3_init_abi(lyapunov_energy_meter_f64x3 *storage, const lyapunov_energy_meter_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64x3_init(storage, parameters) lyapunov_energy_meter_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x3_retune(lyapunov_energy_meter_f64x3 *storage, const lyapunov_energy_meter_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_save(const lyapunov_energy_meter_f64x3 *storage, lyapunov_energy_meter_f64x3_memory *memory);
@@ -16404,7 +16764,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x6_init_abi(lyapunov_energy_meter_f32x6 *storage, const lyapunov_energy_meter_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32x6_init(storage, parameters) lyapunov_energy_meter_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x6_retune(lyapunov_energy_meter_f32x6 *storage, const lyapunov_energy_meter_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_save(const lyapunov_energy_meter_f32x6 *storage, lyapunov_energy_meter_f32x6_memory *memory);
@@ -16443,7 +16804,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x6_init_abi(lyapunov_energy_meter_f64x6 *storage, const lyapunov_energy_meter_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64x6_init(storage, parameters) lyapunov_energy_meter_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x6_retune(lyapunov_energy_meter_f64x6 *storage, const lyapunov_energy_meter_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_save(const lyapunov_energy_meter_f64x6 *storage, lyapunov_energy_meter_f64x6_memory *memory);
@@ -16482,7 +16844,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32screw_init_abi(lyapunov_energy_meter_f32screw *storage, const lyapunov_energy_meter_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32screw_init(storage, parameters) lyapunov_energy_meter_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32screw_retune(lyapunov_energy_meter_f32screw *storage, const lyapunov_energy_meter_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_save(const lyapunov_energy_meter_f32screw *storage, lyapunov_energy_meter_f32screw_memory *memory);
@@ -16521,7 +16884,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64screw_init_abi(lyapunov_energy_meter_f64screw *storage, const lyapunov_energy_meter_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64screw_init(storage, parameters) lyapunov_energy_meter_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64screw_retune(lyapunov_energy_meter_f64screw *storage, const lyapunov_energy_meter_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64screw_save(const lyapunov_energy_meter_f64screw *storage, lyapunov_energy_meter_f64screw_memory *memory);

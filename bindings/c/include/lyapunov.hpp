@@ -232,7 +232,7 @@ public:
     using Memory = lyapunov_readings_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32_memory>(); lyapunov_readings_f32_save(&storage, &memory); return memory; }
@@ -256,7 +256,7 @@ public:
     using Memory = lyapunov_readings_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64_memory>(); lyapunov_readings_f64_save(&storage, &memory); return memory; }
@@ -280,7 +280,7 @@ public:
     using Memory = lyapunov_readings_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x3_memory>(); lyapunov_readings_f32x3_save(&storage, &memory); return memory; }
@@ -304,7 +304,7 @@ public:
     using Memory = lyapunov_readings_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x3_memory>(); lyapunov_readings_f64x3_save(&storage, &memory); return memory; }
@@ -328,7 +328,7 @@ public:
     using Memory = lyapunov_readings_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x6_memory>(); lyapunov_readings_f32x6_save(&storage, &memory); return memory; }
@@ -352,7 +352,7 @@ public:
     using Memory = lyapunov_readings_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x6_memory>(); lyapunov_readings_f64x6_save(&storage, &memory); return memory; }
@@ -376,7 +376,7 @@ public:
     using Memory = lyapunov_readings_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32screw_memory>(); lyapunov_readings_f32screw_save(&storage, &memory); return memory; }
@@ -400,7 +400,7 @@ public:
     using Memory = lyapunov_readings_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64screw_memory>(); lyapunov_readings_f64screw_save(&storage, &memory); return memory; }
@@ -427,7 +427,7 @@ public:
     using Memory = lyapunov_readings_measured_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32_memory>(); lyapunov_readings_measured_f32_save(&storage, &memory); return memory; }
@@ -451,7 +451,7 @@ public:
     using Memory = lyapunov_readings_measured_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64_memory>(); lyapunov_readings_measured_f64_save(&storage, &memory); return memory; }
@@ -475,7 +475,7 @@ public:
     using Memory = lyapunov_readings_measured_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x3_memory>(); lyapunov_readings_measured_f32x3_save(&storage, &memory); return memory; }
@@ -499,7 +499,7 @@ public:
     using Memory = lyapunov_readings_measured_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x3_memory>(); lyapunov_readings_measured_f64x3_save(&storage, &memory); return memory; }
@@ -523,7 +523,7 @@ public:
     using Memory = lyapunov_readings_measured_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x6_memory>(); lyapunov_readings_measured_f32x6_save(&storage, &memory); return memory; }
@@ -547,7 +547,7 @@ public:
     using Memory = lyapunov_readings_measured_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x6_memory>(); lyapunov_readings_measured_f64x6_save(&storage, &memory); return memory; }
@@ -571,7 +571,7 @@ public:
     using Memory = lyapunov_readings_measured_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32screw_memory>(); lyapunov_readings_measured_f32screw_save(&storage, &memory); return memory; }
@@ -595,7 +595,7 @@ public:
     using Memory = lyapunov_readings_measured_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64screw_memory>(); lyapunov_readings_measured_f64screw_save(&storage, &memory); return memory; }
@@ -622,7 +622,7 @@ public:
     using Memory = lyapunov_readings_low_passed_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_low_passed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32_memory>(); lyapunov_readings_low_passed_f32_save(&storage, &memory); return memory; }
@@ -646,7 +646,7 @@ public:
     using Memory = lyapunov_readings_low_passed_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_low_passed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64_memory>(); lyapunov_readings_low_passed_f64_save(&storage, &memory); return memory; }
@@ -670,7 +670,7 @@ public:
     using Memory = lyapunov_readings_low_passed_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_low_passed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x3_memory>(); lyapunov_readings_low_passed_f32x3_save(&storage, &memory); return memory; }
@@ -694,7 +694,7 @@ public:
     using Memory = lyapunov_readings_low_passed_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_low_passed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x3_memory>(); lyapunov_readings_low_passed_f64x3_save(&storage, &memory); return memory; }
@@ -718,7 +718,7 @@ public:
     using Memory = lyapunov_readings_low_passed_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_low_passed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x6_memory>(); lyapunov_readings_low_passed_f32x6_save(&storage, &memory); return memory; }
@@ -742,7 +742,7 @@ public:
     using Memory = lyapunov_readings_low_passed_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_low_passed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x6_memory>(); lyapunov_readings_low_passed_f64x6_save(&storage, &memory); return memory; }
@@ -769,7 +769,7 @@ public:
     using Memory = lyapunov_readings_windowed_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_windowed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32_memory>(); lyapunov_readings_windowed_f32_save(&storage, &memory); return memory; }
@@ -793,7 +793,7 @@ public:
     using Memory = lyapunov_readings_windowed_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_windowed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64_memory>(); lyapunov_readings_windowed_f64_save(&storage, &memory); return memory; }
@@ -817,7 +817,7 @@ public:
     using Memory = lyapunov_readings_windowed_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_windowed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x3_memory>(); lyapunov_readings_windowed_f32x3_save(&storage, &memory); return memory; }
@@ -841,7 +841,7 @@ public:
     using Memory = lyapunov_readings_windowed_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_windowed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x3_memory>(); lyapunov_readings_windowed_f64x3_save(&storage, &memory); return memory; }
@@ -865,7 +865,7 @@ public:
     using Memory = lyapunov_readings_windowed_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_windowed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x6_memory>(); lyapunov_readings_windowed_f32x6_save(&storage, &memory); return memory; }
@@ -889,7 +889,7 @@ public:
     using Memory = lyapunov_readings_windowed_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_windowed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x6_memory>(); lyapunov_readings_windowed_f64x6_save(&storage, &memory); return memory; }
@@ -916,7 +916,7 @@ public:
     using Memory = lyapunov_readings_clocked_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32_memory>(); lyapunov_readings_clocked_f32_save(&storage, &memory); return memory; }
@@ -940,7 +940,7 @@ public:
     using Memory = lyapunov_readings_clocked_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64_memory>(); lyapunov_readings_clocked_f64_save(&storage, &memory); return memory; }
@@ -964,7 +964,7 @@ public:
     using Memory = lyapunov_readings_clocked_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x3_memory>(); lyapunov_readings_clocked_f32x3_save(&storage, &memory); return memory; }
@@ -988,7 +988,7 @@ public:
     using Memory = lyapunov_readings_clocked_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x3_memory>(); lyapunov_readings_clocked_f64x3_save(&storage, &memory); return memory; }
@@ -1012,7 +1012,7 @@ public:
     using Memory = lyapunov_readings_clocked_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x6_memory>(); lyapunov_readings_clocked_f32x6_save(&storage, &memory); return memory; }
@@ -1036,7 +1036,7 @@ public:
     using Memory = lyapunov_readings_clocked_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x6_memory>(); lyapunov_readings_clocked_f64x6_save(&storage, &memory); return memory; }
@@ -1063,7 +1063,7 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32_memory>(); lyapunov_readings_measured_clocked_f32_save(&storage, &memory); return memory; }
@@ -1087,7 +1087,7 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64_memory>(); lyapunov_readings_measured_clocked_f64_save(&storage, &memory); return memory; }
@@ -1111,7 +1111,7 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x3_memory>(); lyapunov_readings_measured_clocked_f32x3_save(&storage, &memory); return memory; }
@@ -1135,7 +1135,7 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x3_memory>(); lyapunov_readings_measured_clocked_f64x3_save(&storage, &memory); return memory; }
@@ -1159,7 +1159,7 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x6_memory>(); lyapunov_readings_measured_clocked_f32x6_save(&storage, &memory); return memory; }
@@ -1183,7 +1183,7 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_measured_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x6_memory>(); lyapunov_readings_measured_clocked_f64x6_save(&storage, &memory); return memory; }
@@ -1210,7 +1210,7 @@ public:
     using Memory = lyapunov_readings_of_poses_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f32screw_memory>(); lyapunov_readings_of_poses_f32screw_save(&storage, &memory); return memory; }
@@ -1234,7 +1234,7 @@ public:
     using Memory = lyapunov_readings_of_poses_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f64screw_memory>(); lyapunov_readings_of_poses_f64screw_save(&storage, &memory); return memory; }
@@ -1261,7 +1261,7 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f32screw_memory>(); lyapunov_readings_of_poses_measured_f32screw_save(&storage, &memory); return memory; }
@@ -1285,7 +1285,7 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f64screw_memory>(); lyapunov_readings_of_poses_measured_f64screw_save(&storage, &memory); return memory; }
@@ -1312,7 +1312,7 @@ public:
     using Memory = lyapunov_readings_of_poses_low_passed_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_low_passed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f32screw_memory>(); lyapunov_readings_of_poses_low_passed_f32screw_save(&storage, &memory); return memory; }
@@ -1336,7 +1336,7 @@ public:
     using Memory = lyapunov_readings_of_poses_low_passed_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_low_passed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f64screw_memory>(); lyapunov_readings_of_poses_low_passed_f64screw_save(&storage, &memory); return memory; }
@@ -1363,7 +1363,7 @@ public:
     using Memory = lyapunov_readings_of_poses_windowed_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_windowed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f32screw_memory>(); lyapunov_readings_of_poses_windowed_f32screw_save(&storage, &memory); return memory; }
@@ -1387,7 +1387,7 @@ public:
     using Memory = lyapunov_readings_of_poses_windowed_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_windowed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f64screw_memory>(); lyapunov_readings_of_poses_windowed_f64screw_save(&storage, &memory); return memory; }
@@ -1414,7 +1414,7 @@ public:
     using Memory = lyapunov_readings_of_poses_clocked_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f32screw_memory>(); lyapunov_readings_of_poses_clocked_f32screw_save(&storage, &memory); return memory; }
@@ -1438,7 +1438,7 @@ public:
     using Memory = lyapunov_readings_of_poses_clocked_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f64screw_memory>(); lyapunov_readings_of_poses_clocked_f64screw_save(&storage, &memory); return memory; }
@@ -1465,7 +1465,7 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_clocked_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_measured_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f32screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f32screw_save(&storage, &memory); return memory; }
@@ -1489,7 +1489,7 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_clocked_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_readings_of_poses_measured_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f64screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f64screw_save(&storage, &memory); return memory; }
@@ -1507,7 +1507,7 @@ public:
     lyapunov_readings_of_poses_measured_clocked_f64screw storage{};
 };
 
-/* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. */
+/* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2 mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a sum that keeps them, or bounded_credit. */
 template <class Signal> class Popc;
 
 template <> class Popc<float> {
@@ -1516,7 +1516,7 @@ public:
     using Memory = lyapunov_popc_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32_memory>(); lyapunov_popc_f32_save(&storage, &memory); return memory; }
@@ -1544,7 +1544,7 @@ public:
     using Memory = lyapunov_popc_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64_memory>(); lyapunov_popc_f64_save(&storage, &memory); return memory; }
@@ -1572,7 +1572,7 @@ public:
     using Memory = lyapunov_popc_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x3_memory>(); lyapunov_popc_f32x3_save(&storage, &memory); return memory; }
@@ -1600,7 +1600,7 @@ public:
     using Memory = lyapunov_popc_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x3_memory>(); lyapunov_popc_f64x3_save(&storage, &memory); return memory; }
@@ -1628,7 +1628,7 @@ public:
     using Memory = lyapunov_popc_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x6_memory>(); lyapunov_popc_f32x6_save(&storage, &memory); return memory; }
@@ -1656,7 +1656,7 @@ public:
     using Memory = lyapunov_popc_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x6_memory>(); lyapunov_popc_f64x6_save(&storage, &memory); return memory; }
@@ -1684,7 +1684,7 @@ public:
     using Memory = lyapunov_popc_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32screw_memory>(); lyapunov_popc_f32screw_save(&storage, &memory); return memory; }
@@ -1712,7 +1712,7 @@ public:
     using Memory = lyapunov_popc_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_popc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64screw_memory>(); lyapunov_popc_f64screw_save(&storage, &memory); return memory; }
@@ -1743,7 +1743,7 @@ public:
     using Memory = lyapunov_lolc_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32_memory>(); lyapunov_lolc_f32_save(&storage, &memory); return memory; }
@@ -1771,7 +1771,7 @@ public:
     using Memory = lyapunov_lolc_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64_memory>(); lyapunov_lolc_f64_save(&storage, &memory); return memory; }
@@ -1799,7 +1799,7 @@ public:
     using Memory = lyapunov_lolc_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x3_memory>(); lyapunov_lolc_f32x3_save(&storage, &memory); return memory; }
@@ -1827,7 +1827,7 @@ public:
     using Memory = lyapunov_lolc_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x3_memory>(); lyapunov_lolc_f64x3_save(&storage, &memory); return memory; }
@@ -1855,7 +1855,7 @@ public:
     using Memory = lyapunov_lolc_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x6_memory>(); lyapunov_lolc_f32x6_save(&storage, &memory); return memory; }
@@ -1883,7 +1883,7 @@ public:
     using Memory = lyapunov_lolc_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x6_memory>(); lyapunov_lolc_f64x6_save(&storage, &memory); return memory; }
@@ -1911,7 +1911,7 @@ public:
     using Memory = lyapunov_lolc_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32screw_memory>(); lyapunov_lolc_f32screw_save(&storage, &memory); return memory; }
@@ -1939,7 +1939,7 @@ public:
     using Memory = lyapunov_lolc_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64screw_memory>(); lyapunov_lolc_f64screw_save(&storage, &memory); return memory; }
@@ -1970,7 +1970,7 @@ public:
     using Memory = lyapunov_lolc_custom_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32_memory>(); lyapunov_lolc_custom_f32_save(&storage, &memory); return memory; }
@@ -1999,7 +1999,7 @@ public:
     using Memory = lyapunov_lolc_custom_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64_memory>(); lyapunov_lolc_custom_f64_save(&storage, &memory); return memory; }
@@ -2028,7 +2028,7 @@ public:
     using Memory = lyapunov_lolc_custom_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x3_memory>(); lyapunov_lolc_custom_f32x3_save(&storage, &memory); return memory; }
@@ -2057,7 +2057,7 @@ public:
     using Memory = lyapunov_lolc_custom_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x3_memory>(); lyapunov_lolc_custom_f64x3_save(&storage, &memory); return memory; }
@@ -2086,7 +2086,7 @@ public:
     using Memory = lyapunov_lolc_custom_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x6_memory>(); lyapunov_lolc_custom_f32x6_save(&storage, &memory); return memory; }
@@ -2115,7 +2115,7 @@ public:
     using Memory = lyapunov_lolc_custom_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x6_memory>(); lyapunov_lolc_custom_f64x6_save(&storage, &memory); return memory; }
@@ -2144,7 +2144,7 @@ public:
     using Memory = lyapunov_lolc_custom_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32screw_memory>(); lyapunov_lolc_custom_f32screw_save(&storage, &memory); return memory; }
@@ -2173,7 +2173,7 @@ public:
     using Memory = lyapunov_lolc_custom_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_custom_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64screw_memory>(); lyapunov_lolc_custom_f64screw_save(&storage, &memory); return memory; }
@@ -2205,7 +2205,7 @@ public:
     using Memory = lyapunov_lolc_storage_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32_memory>(); lyapunov_lolc_storage_f32_save(&storage, &memory); return memory; }
@@ -2234,7 +2234,7 @@ public:
     using Memory = lyapunov_lolc_storage_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64_memory>(); lyapunov_lolc_storage_f64_save(&storage, &memory); return memory; }
@@ -2263,7 +2263,7 @@ public:
     using Memory = lyapunov_lolc_storage_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x3_memory>(); lyapunov_lolc_storage_f32x3_save(&storage, &memory); return memory; }
@@ -2292,7 +2292,7 @@ public:
     using Memory = lyapunov_lolc_storage_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x3_memory>(); lyapunov_lolc_storage_f64x3_save(&storage, &memory); return memory; }
@@ -2321,7 +2321,7 @@ public:
     using Memory = lyapunov_lolc_storage_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x6_memory>(); lyapunov_lolc_storage_f32x6_save(&storage, &memory); return memory; }
@@ -2350,7 +2350,7 @@ public:
     using Memory = lyapunov_lolc_storage_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x6_memory>(); lyapunov_lolc_storage_f64x6_save(&storage, &memory); return memory; }
@@ -2379,7 +2379,7 @@ public:
     using Memory = lyapunov_lolc_storage_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32screw_memory>(); lyapunov_lolc_storage_f32screw_save(&storage, &memory); return memory; }
@@ -2408,7 +2408,7 @@ public:
     using Memory = lyapunov_lolc_storage_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_storage_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64screw_memory>(); lyapunov_lolc_storage_f64screw_save(&storage, &memory); return memory; }
@@ -2440,7 +2440,7 @@ public:
     using Memory = lyapunov_lolc_in_contact_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_in_contact_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f32_memory>(); lyapunov_lolc_in_contact_f32_save(&storage, &memory); return memory; }
@@ -2468,7 +2468,7 @@ public:
     using Memory = lyapunov_lolc_in_contact_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_in_contact_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f64_memory>(); lyapunov_lolc_in_contact_f64_save(&storage, &memory); return memory; }
@@ -2499,7 +2499,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32_memory>(); lyapunov_lolc_sampled_f32_save(&storage, &memory); return memory; }
@@ -2527,7 +2527,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64_memory>(); lyapunov_lolc_sampled_f64_save(&storage, &memory); return memory; }
@@ -2555,7 +2555,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x3_memory>(); lyapunov_lolc_sampled_f32x3_save(&storage, &memory); return memory; }
@@ -2583,7 +2583,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x3_memory>(); lyapunov_lolc_sampled_f64x3_save(&storage, &memory); return memory; }
@@ -2611,7 +2611,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x6_memory>(); lyapunov_lolc_sampled_f32x6_save(&storage, &memory); return memory; }
@@ -2639,7 +2639,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x6_memory>(); lyapunov_lolc_sampled_f64x6_save(&storage, &memory); return memory; }
@@ -2667,7 +2667,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32screw_memory>(); lyapunov_lolc_sampled_f32screw_save(&storage, &memory); return memory; }
@@ -2695,7 +2695,7 @@ public:
     using Memory = lyapunov_lolc_sampled_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_sampled_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64screw_memory>(); lyapunov_lolc_sampled_f64screw_save(&storage, &memory); return memory; }
@@ -2726,7 +2726,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32_memory>(); lyapunov_lolc_compensated_f32_save(&storage, &memory); return memory; }
@@ -2754,7 +2754,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64_memory>(); lyapunov_lolc_compensated_f64_save(&storage, &memory); return memory; }
@@ -2782,7 +2782,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x3_memory>(); lyapunov_lolc_compensated_f32x3_save(&storage, &memory); return memory; }
@@ -2810,7 +2810,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x3_memory>(); lyapunov_lolc_compensated_f64x3_save(&storage, &memory); return memory; }
@@ -2838,7 +2838,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x6_memory>(); lyapunov_lolc_compensated_f32x6_save(&storage, &memory); return memory; }
@@ -2866,7 +2866,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x6_memory>(); lyapunov_lolc_compensated_f64x6_save(&storage, &memory); return memory; }
@@ -2894,7 +2894,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32screw_memory>(); lyapunov_lolc_compensated_f32screw_save(&storage, &memory); return memory; }
@@ -2922,7 +2922,7 @@ public:
     using Memory = lyapunov_lolc_compensated_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_lolc_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64screw_memory>(); lyapunov_lolc_compensated_f64screw_save(&storage, &memory); return memory; }
@@ -2953,7 +2953,7 @@ public:
     using Memory = lyapunov_bounded_credit_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32_memory>(); lyapunov_bounded_credit_f32_save(&storage, &memory); return memory; }
@@ -2981,7 +2981,7 @@ public:
     using Memory = lyapunov_bounded_credit_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64_memory>(); lyapunov_bounded_credit_f64_save(&storage, &memory); return memory; }
@@ -3009,7 +3009,7 @@ public:
     using Memory = lyapunov_bounded_credit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x3_memory>(); lyapunov_bounded_credit_f32x3_save(&storage, &memory); return memory; }
@@ -3037,7 +3037,7 @@ public:
     using Memory = lyapunov_bounded_credit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x3_memory>(); lyapunov_bounded_credit_f64x3_save(&storage, &memory); return memory; }
@@ -3065,7 +3065,7 @@ public:
     using Memory = lyapunov_bounded_credit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x6_memory>(); lyapunov_bounded_credit_f32x6_save(&storage, &memory); return memory; }
@@ -3093,7 +3093,7 @@ public:
     using Memory = lyapunov_bounded_credit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x6_memory>(); lyapunov_bounded_credit_f64x6_save(&storage, &memory); return memory; }
@@ -3121,7 +3121,7 @@ public:
     using Memory = lyapunov_bounded_credit_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32screw_memory>(); lyapunov_bounded_credit_f32screw_save(&storage, &memory); return memory; }
@@ -3149,7 +3149,7 @@ public:
     using Memory = lyapunov_bounded_credit_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_bounded_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64screw_memory>(); lyapunov_bounded_credit_f64screw_save(&storage, &memory); return memory; }
@@ -3180,7 +3180,7 @@ public:
     using Memory = lyapunov_windowed_credit_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32_memory>(); lyapunov_windowed_credit_f32_save(&storage, &memory); return memory; }
@@ -3208,7 +3208,7 @@ public:
     using Memory = lyapunov_windowed_credit_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64_memory>(); lyapunov_windowed_credit_f64_save(&storage, &memory); return memory; }
@@ -3236,7 +3236,7 @@ public:
     using Memory = lyapunov_windowed_credit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x3_memory>(); lyapunov_windowed_credit_f32x3_save(&storage, &memory); return memory; }
@@ -3264,7 +3264,7 @@ public:
     using Memory = lyapunov_windowed_credit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x3_memory>(); lyapunov_windowed_credit_f64x3_save(&storage, &memory); return memory; }
@@ -3292,7 +3292,7 @@ public:
     using Memory = lyapunov_windowed_credit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x6_memory>(); lyapunov_windowed_credit_f32x6_save(&storage, &memory); return memory; }
@@ -3320,7 +3320,7 @@ public:
     using Memory = lyapunov_windowed_credit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x6_memory>(); lyapunov_windowed_credit_f64x6_save(&storage, &memory); return memory; }
@@ -3348,7 +3348,7 @@ public:
     using Memory = lyapunov_windowed_credit_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32screw_memory>(); lyapunov_windowed_credit_f32screw_save(&storage, &memory); return memory; }
@@ -3376,7 +3376,7 @@ public:
     using Memory = lyapunov_windowed_credit_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_windowed_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64screw_memory>(); lyapunov_windowed_credit_f64screw_save(&storage, &memory); return memory; }
@@ -3407,7 +3407,7 @@ public:
     using Memory = lyapunov_contact_reset_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_contact_reset_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f32_memory>(); lyapunov_contact_reset_f32_save(&storage, &memory); return memory; }
@@ -3435,7 +3435,7 @@ public:
     using Memory = lyapunov_contact_reset_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_contact_reset_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f64_memory>(); lyapunov_contact_reset_f64_save(&storage, &memory); return memory; }
@@ -3466,7 +3466,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32_memory>(); lyapunov_velocity_threshold_f32_save(&storage, &memory); return memory; }
@@ -3494,7 +3494,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64_memory>(); lyapunov_velocity_threshold_f64_save(&storage, &memory); return memory; }
@@ -3522,7 +3522,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x3_memory>(); lyapunov_velocity_threshold_f32x3_save(&storage, &memory); return memory; }
@@ -3550,7 +3550,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x3_memory>(); lyapunov_velocity_threshold_f64x3_save(&storage, &memory); return memory; }
@@ -3578,7 +3578,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x6_memory>(); lyapunov_velocity_threshold_f32x6_save(&storage, &memory); return memory; }
@@ -3606,7 +3606,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x6_memory>(); lyapunov_velocity_threshold_f64x6_save(&storage, &memory); return memory; }
@@ -3634,7 +3634,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32screw_memory>(); lyapunov_velocity_threshold_f32screw_save(&storage, &memory); return memory; }
@@ -3662,7 +3662,7 @@ public:
     using Memory = lyapunov_velocity_threshold_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_velocity_threshold_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64screw_memory>(); lyapunov_velocity_threshold_f64screw_save(&storage, &memory); return memory; }
@@ -3693,7 +3693,7 @@ public:
     using Memory = lyapunov_spread_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32_memory>(); lyapunov_spread_f32_save(&storage, &memory); return memory; }
@@ -3721,7 +3721,7 @@ public:
     using Memory = lyapunov_spread_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64_memory>(); lyapunov_spread_f64_save(&storage, &memory); return memory; }
@@ -3749,7 +3749,7 @@ public:
     using Memory = lyapunov_spread_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x3_memory>(); lyapunov_spread_f32x3_save(&storage, &memory); return memory; }
@@ -3777,7 +3777,7 @@ public:
     using Memory = lyapunov_spread_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x3_memory>(); lyapunov_spread_f64x3_save(&storage, &memory); return memory; }
@@ -3805,7 +3805,7 @@ public:
     using Memory = lyapunov_spread_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x6_memory>(); lyapunov_spread_f32x6_save(&storage, &memory); return memory; }
@@ -3833,7 +3833,7 @@ public:
     using Memory = lyapunov_spread_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x6_memory>(); lyapunov_spread_f64x6_save(&storage, &memory); return memory; }
@@ -3861,7 +3861,7 @@ public:
     using Memory = lyapunov_spread_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32screw_memory>(); lyapunov_spread_f32screw_save(&storage, &memory); return memory; }
@@ -3889,7 +3889,7 @@ public:
     using Memory = lyapunov_spread_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_spread_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64screw_memory>(); lyapunov_spread_f64screw_save(&storage, &memory); return memory; }
@@ -3920,7 +3920,7 @@ public:
     using Memory = lyapunov_soft_start_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32_memory>(); lyapunov_soft_start_f32_save(&storage, &memory); return memory; }
@@ -3948,7 +3948,7 @@ public:
     using Memory = lyapunov_soft_start_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64_memory>(); lyapunov_soft_start_f64_save(&storage, &memory); return memory; }
@@ -3976,7 +3976,7 @@ public:
     using Memory = lyapunov_soft_start_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x3_memory>(); lyapunov_soft_start_f32x3_save(&storage, &memory); return memory; }
@@ -4004,7 +4004,7 @@ public:
     using Memory = lyapunov_soft_start_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x3_memory>(); lyapunov_soft_start_f64x3_save(&storage, &memory); return memory; }
@@ -4032,7 +4032,7 @@ public:
     using Memory = lyapunov_soft_start_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x6_memory>(); lyapunov_soft_start_f32x6_save(&storage, &memory); return memory; }
@@ -4060,7 +4060,7 @@ public:
     using Memory = lyapunov_soft_start_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x6_memory>(); lyapunov_soft_start_f64x6_save(&storage, &memory); return memory; }
@@ -4088,7 +4088,7 @@ public:
     using Memory = lyapunov_soft_start_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32screw_memory>(); lyapunov_soft_start_f32screw_save(&storage, &memory); return memory; }
@@ -4116,7 +4116,7 @@ public:
     using Memory = lyapunov_soft_start_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_soft_start_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64screw_memory>(); lyapunov_soft_start_f64screw_save(&storage, &memory); return memory; }
@@ -4147,7 +4147,7 @@ public:
     using Memory = lyapunov_rate_limit_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32_memory>(); lyapunov_rate_limit_f32_save(&storage, &memory); return memory; }
@@ -4175,7 +4175,7 @@ public:
     using Memory = lyapunov_rate_limit_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64_memory>(); lyapunov_rate_limit_f64_save(&storage, &memory); return memory; }
@@ -4203,7 +4203,7 @@ public:
     using Memory = lyapunov_rate_limit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x3_memory>(); lyapunov_rate_limit_f32x3_save(&storage, &memory); return memory; }
@@ -4231,7 +4231,7 @@ public:
     using Memory = lyapunov_rate_limit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x3_memory>(); lyapunov_rate_limit_f64x3_save(&storage, &memory); return memory; }
@@ -4259,7 +4259,7 @@ public:
     using Memory = lyapunov_rate_limit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x6_memory>(); lyapunov_rate_limit_f32x6_save(&storage, &memory); return memory; }
@@ -4287,7 +4287,7 @@ public:
     using Memory = lyapunov_rate_limit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x6_memory>(); lyapunov_rate_limit_f64x6_save(&storage, &memory); return memory; }
@@ -4315,7 +4315,7 @@ public:
     using Memory = lyapunov_rate_limit_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32screw_memory>(); lyapunov_rate_limit_f32screw_save(&storage, &memory); return memory; }
@@ -4343,7 +4343,7 @@ public:
     using Memory = lyapunov_rate_limit_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_rate_limit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64screw_memory>(); lyapunov_rate_limit_f64screw_save(&storage, &memory); return memory; }
@@ -4374,7 +4374,7 @@ public:
     using Memory = lyapunov_axis_weights_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32_memory>(); lyapunov_axis_weights_f32_save(&storage, &memory); return memory; }
@@ -4402,7 +4402,7 @@ public:
     using Memory = lyapunov_axis_weights_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64_memory>(); lyapunov_axis_weights_f64_save(&storage, &memory); return memory; }
@@ -4430,7 +4430,7 @@ public:
     using Memory = lyapunov_axis_weights_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x3_memory>(); lyapunov_axis_weights_f32x3_save(&storage, &memory); return memory; }
@@ -4458,7 +4458,7 @@ public:
     using Memory = lyapunov_axis_weights_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x3_memory>(); lyapunov_axis_weights_f64x3_save(&storage, &memory); return memory; }
@@ -4486,7 +4486,7 @@ public:
     using Memory = lyapunov_axis_weights_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x6_memory>(); lyapunov_axis_weights_f32x6_save(&storage, &memory); return memory; }
@@ -4514,7 +4514,7 @@ public:
     using Memory = lyapunov_axis_weights_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x6_memory>(); lyapunov_axis_weights_f64x6_save(&storage, &memory); return memory; }
@@ -4542,7 +4542,7 @@ public:
     using Memory = lyapunov_axis_weights_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32screw_memory>(); lyapunov_axis_weights_f32screw_save(&storage, &memory); return memory; }
@@ -4570,7 +4570,7 @@ public:
     using Memory = lyapunov_axis_weights_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_axis_weights_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64screw_memory>(); lyapunov_axis_weights_f64screw_save(&storage, &memory); return memory; }
@@ -4601,7 +4601,7 @@ public:
     using Memory = lyapunov_along_direction_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32_memory>(); lyapunov_along_direction_f32_save(&storage, &memory); return memory; }
@@ -4629,7 +4629,7 @@ public:
     using Memory = lyapunov_along_direction_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64_memory>(); lyapunov_along_direction_f64_save(&storage, &memory); return memory; }
@@ -4657,7 +4657,7 @@ public:
     using Memory = lyapunov_along_direction_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x3_memory>(); lyapunov_along_direction_f32x3_save(&storage, &memory); return memory; }
@@ -4685,7 +4685,7 @@ public:
     using Memory = lyapunov_along_direction_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x3_memory>(); lyapunov_along_direction_f64x3_save(&storage, &memory); return memory; }
@@ -4713,7 +4713,7 @@ public:
     using Memory = lyapunov_along_direction_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x6_memory>(); lyapunov_along_direction_f32x6_save(&storage, &memory); return memory; }
@@ -4741,7 +4741,7 @@ public:
     using Memory = lyapunov_along_direction_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x6_memory>(); lyapunov_along_direction_f64x6_save(&storage, &memory); return memory; }
@@ -4769,7 +4769,7 @@ public:
     using Memory = lyapunov_along_direction_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32screw_memory>(); lyapunov_along_direction_f32screw_save(&storage, &memory); return memory; }
@@ -4797,7 +4797,7 @@ public:
     using Memory = lyapunov_along_direction_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_along_direction_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64screw_memory>(); lyapunov_along_direction_f64screw_save(&storage, &memory); return memory; }
@@ -4828,7 +4828,7 @@ public:
     using Memory = lyapunov_inertia_metric_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_metric_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x3_memory>(); lyapunov_inertia_metric_f32x3_save(&storage, &memory); return memory; }
@@ -4856,7 +4856,7 @@ public:
     using Memory = lyapunov_inertia_metric_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_metric_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x3_memory>(); lyapunov_inertia_metric_f64x3_save(&storage, &memory); return memory; }
@@ -4884,7 +4884,7 @@ public:
     using Memory = lyapunov_inertia_metric_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_metric_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x6_memory>(); lyapunov_inertia_metric_f32x6_save(&storage, &memory); return memory; }
@@ -4912,7 +4912,7 @@ public:
     using Memory = lyapunov_inertia_metric_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_metric_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x6_memory>(); lyapunov_inertia_metric_f64x6_save(&storage, &memory); return memory; }
@@ -4943,7 +4943,7 @@ public:
     using Memory = lyapunov_inertia_limit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x3_memory>(); lyapunov_inertia_limit_f32x3_save(&storage, &memory); return memory; }
@@ -4971,7 +4971,7 @@ public:
     using Memory = lyapunov_inertia_limit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x3_memory>(); lyapunov_inertia_limit_f64x3_save(&storage, &memory); return memory; }
@@ -4999,7 +4999,7 @@ public:
     using Memory = lyapunov_inertia_limit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x6_memory>(); lyapunov_inertia_limit_f32x6_save(&storage, &memory); return memory; }
@@ -5027,7 +5027,7 @@ public:
     using Memory = lyapunov_inertia_limit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_inertia_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x6_memory>(); lyapunov_inertia_limit_f64x6_save(&storage, &memory); return memory; }
@@ -5058,7 +5058,7 @@ public:
     using Memory = lyapunov_plausible_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32_memory>(); lyapunov_plausible_f32_save(&storage, &memory); return memory; }
@@ -5086,7 +5086,7 @@ public:
     using Memory = lyapunov_plausible_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64_memory>(); lyapunov_plausible_f64_save(&storage, &memory); return memory; }
@@ -5114,7 +5114,7 @@ public:
     using Memory = lyapunov_plausible_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x3_memory>(); lyapunov_plausible_f32x3_save(&storage, &memory); return memory; }
@@ -5142,7 +5142,7 @@ public:
     using Memory = lyapunov_plausible_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x3_memory>(); lyapunov_plausible_f64x3_save(&storage, &memory); return memory; }
@@ -5170,7 +5170,7 @@ public:
     using Memory = lyapunov_plausible_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x6_memory>(); lyapunov_plausible_f32x6_save(&storage, &memory); return memory; }
@@ -5198,7 +5198,7 @@ public:
     using Memory = lyapunov_plausible_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x6_memory>(); lyapunov_plausible_f64x6_save(&storage, &memory); return memory; }
@@ -5226,7 +5226,7 @@ public:
     using Memory = lyapunov_plausible_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32screw_memory>(); lyapunov_plausible_f32screw_save(&storage, &memory); return memory; }
@@ -5254,7 +5254,7 @@ public:
     using Memory = lyapunov_plausible_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_plausible_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64screw_memory>(); lyapunov_plausible_f64screw_save(&storage, &memory); return memory; }
@@ -5285,7 +5285,7 @@ public:
     using Memory = lyapunov_watchdog_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32_memory>(); lyapunov_watchdog_f32_save(&storage, &memory); return memory; }
@@ -5313,7 +5313,7 @@ public:
     using Memory = lyapunov_watchdog_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64_memory>(); lyapunov_watchdog_f64_save(&storage, &memory); return memory; }
@@ -5341,7 +5341,7 @@ public:
     using Memory = lyapunov_watchdog_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x3_memory>(); lyapunov_watchdog_f32x3_save(&storage, &memory); return memory; }
@@ -5369,7 +5369,7 @@ public:
     using Memory = lyapunov_watchdog_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x3_memory>(); lyapunov_watchdog_f64x3_save(&storage, &memory); return memory; }
@@ -5397,7 +5397,7 @@ public:
     using Memory = lyapunov_watchdog_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x6_memory>(); lyapunov_watchdog_f32x6_save(&storage, &memory); return memory; }
@@ -5425,7 +5425,7 @@ public:
     using Memory = lyapunov_watchdog_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x6_memory>(); lyapunov_watchdog_f64x6_save(&storage, &memory); return memory; }
@@ -5453,7 +5453,7 @@ public:
     using Memory = lyapunov_watchdog_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32screw_memory>(); lyapunov_watchdog_f32screw_save(&storage, &memory); return memory; }
@@ -5481,7 +5481,7 @@ public:
     using Memory = lyapunov_watchdog_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_watchdog_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64screw_memory>(); lyapunov_watchdog_f64screw_save(&storage, &memory); return memory; }
@@ -5512,7 +5512,7 @@ public:
     using Memory = lyapunov_safeguarded_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32_memory>(); lyapunov_safeguarded_f32_save(&storage, &memory); return memory; }
@@ -5540,7 +5540,7 @@ public:
     using Memory = lyapunov_safeguarded_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64_memory>(); lyapunov_safeguarded_f64_save(&storage, &memory); return memory; }
@@ -5568,7 +5568,7 @@ public:
     using Memory = lyapunov_safeguarded_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x3_memory>(); lyapunov_safeguarded_f32x3_save(&storage, &memory); return memory; }
@@ -5596,7 +5596,7 @@ public:
     using Memory = lyapunov_safeguarded_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x3_memory>(); lyapunov_safeguarded_f64x3_save(&storage, &memory); return memory; }
@@ -5624,7 +5624,7 @@ public:
     using Memory = lyapunov_safeguarded_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x6_memory>(); lyapunov_safeguarded_f32x6_save(&storage, &memory); return memory; }
@@ -5652,7 +5652,7 @@ public:
     using Memory = lyapunov_safeguarded_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x6_memory>(); lyapunov_safeguarded_f64x6_save(&storage, &memory); return memory; }
@@ -5680,7 +5680,7 @@ public:
     using Memory = lyapunov_safeguarded_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32screw_memory>(); lyapunov_safeguarded_f32screw_save(&storage, &memory); return memory; }
@@ -5708,7 +5708,7 @@ public:
     using Memory = lyapunov_safeguarded_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_safeguarded_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64screw_memory>(); lyapunov_safeguarded_f64screw_save(&storage, &memory); return memory; }
@@ -5739,7 +5739,7 @@ public:
     using Memory = lyapunov_per_axis_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_per_axis_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x3_memory>(); lyapunov_per_axis_f32x3_save(&storage, &memory); return memory; }
@@ -5759,7 +5759,7 @@ public:
     using Memory = lyapunov_per_axis_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_per_axis_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x3_memory>(); lyapunov_per_axis_f64x3_save(&storage, &memory); return memory; }
@@ -5779,7 +5779,7 @@ public:
     using Memory = lyapunov_per_axis_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_per_axis_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x6_memory>(); lyapunov_per_axis_f32x6_save(&storage, &memory); return memory; }
@@ -5799,7 +5799,7 @@ public:
     using Memory = lyapunov_per_axis_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_per_axis_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x6_memory>(); lyapunov_per_axis_f64x6_save(&storage, &memory); return memory; }
@@ -5822,7 +5822,7 @@ public:
     using Memory = lyapunov_per_part_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_per_part_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f32screw_memory>(); lyapunov_per_part_f32screw_save(&storage, &memory); return memory; }
@@ -5842,7 +5842,7 @@ public:
     using Memory = lyapunov_per_part_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_per_part_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f64screw_memory>(); lyapunov_per_part_f64screw_save(&storage, &memory); return memory; }
@@ -5865,7 +5865,7 @@ public:
     using Memory = lyapunov_part_limits_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_part_limits_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f32screw_memory>(); lyapunov_part_limits_f32screw_save(&storage, &memory); return memory; }
@@ -5893,7 +5893,7 @@ public:
     using Memory = lyapunov_part_limits_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_part_limits_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f64screw_memory>(); lyapunov_part_limits_f64screw_save(&storage, &memory); return memory; }
@@ -5924,7 +5924,7 @@ public:
     using Memory = lyapunov_force_bound_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32_memory>(); lyapunov_force_bound_f32_save(&storage, &memory); return memory; }
@@ -5952,7 +5952,7 @@ public:
     using Memory = lyapunov_force_bound_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64_memory>(); lyapunov_force_bound_f64_save(&storage, &memory); return memory; }
@@ -5980,7 +5980,7 @@ public:
     using Memory = lyapunov_force_bound_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x3_memory>(); lyapunov_force_bound_f32x3_save(&storage, &memory); return memory; }
@@ -6008,7 +6008,7 @@ public:
     using Memory = lyapunov_force_bound_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x3_memory>(); lyapunov_force_bound_f64x3_save(&storage, &memory); return memory; }
@@ -6036,7 +6036,7 @@ public:
     using Memory = lyapunov_force_bound_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x6_memory>(); lyapunov_force_bound_f32x6_save(&storage, &memory); return memory; }
@@ -6064,7 +6064,7 @@ public:
     using Memory = lyapunov_force_bound_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x6_memory>(); lyapunov_force_bound_f64x6_save(&storage, &memory); return memory; }
@@ -6092,7 +6092,7 @@ public:
     using Memory = lyapunov_force_bound_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32screw_memory>(); lyapunov_force_bound_f32screw_save(&storage, &memory); return memory; }
@@ -6120,7 +6120,7 @@ public:
     using Memory = lyapunov_force_bound_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64screw_memory>(); lyapunov_force_bound_f64screw_save(&storage, &memory); return memory; }
@@ -6151,7 +6151,7 @@ public:
     using Memory = lyapunov_force_bounding_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32_memory>(); lyapunov_force_bounding_f32_save(&storage, &memory); return memory; }
@@ -6179,7 +6179,7 @@ public:
     using Memory = lyapunov_force_bounding_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64_memory>(); lyapunov_force_bounding_f64_save(&storage, &memory); return memory; }
@@ -6207,7 +6207,7 @@ public:
     using Memory = lyapunov_force_bounding_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x3_memory>(); lyapunov_force_bounding_f32x3_save(&storage, &memory); return memory; }
@@ -6235,7 +6235,7 @@ public:
     using Memory = lyapunov_force_bounding_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x3_memory>(); lyapunov_force_bounding_f64x3_save(&storage, &memory); return memory; }
@@ -6263,7 +6263,7 @@ public:
     using Memory = lyapunov_force_bounding_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x6_memory>(); lyapunov_force_bounding_f32x6_save(&storage, &memory); return memory; }
@@ -6291,7 +6291,7 @@ public:
     using Memory = lyapunov_force_bounding_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x6_memory>(); lyapunov_force_bounding_f64x6_save(&storage, &memory); return memory; }
@@ -6319,7 +6319,7 @@ public:
     using Memory = lyapunov_force_bounding_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32screw_memory>(); lyapunov_force_bounding_f32screw_save(&storage, &memory); return memory; }
@@ -6347,7 +6347,7 @@ public:
     using Memory = lyapunov_force_bounding_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_force_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64screw_memory>(); lyapunov_force_bounding_f64screw_save(&storage, &memory); return memory; }
@@ -6378,7 +6378,7 @@ public:
     using Memory = lyapunov_tank_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32_memory>(); lyapunov_tank_f32_save(&storage, &memory); return memory; }
@@ -6406,7 +6406,7 @@ public:
     using Memory = lyapunov_tank_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64_memory>(); lyapunov_tank_f64_save(&storage, &memory); return memory; }
@@ -6434,7 +6434,7 @@ public:
     using Memory = lyapunov_tank_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x3_memory>(); lyapunov_tank_f32x3_save(&storage, &memory); return memory; }
@@ -6462,7 +6462,7 @@ public:
     using Memory = lyapunov_tank_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x3_memory>(); lyapunov_tank_f64x3_save(&storage, &memory); return memory; }
@@ -6490,7 +6490,7 @@ public:
     using Memory = lyapunov_tank_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x6_memory>(); lyapunov_tank_f32x6_save(&storage, &memory); return memory; }
@@ -6518,7 +6518,7 @@ public:
     using Memory = lyapunov_tank_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x6_memory>(); lyapunov_tank_f64x6_save(&storage, &memory); return memory; }
@@ -6546,7 +6546,7 @@ public:
     using Memory = lyapunov_tank_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32screw_memory>(); lyapunov_tank_f32screw_save(&storage, &memory); return memory; }
@@ -6574,7 +6574,7 @@ public:
     using Memory = lyapunov_tank_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64screw_memory>(); lyapunov_tank_f64screw_save(&storage, &memory); return memory; }
@@ -6605,7 +6605,7 @@ public:
     using Memory = lyapunov_energy_tank_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32_memory>(); lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
@@ -6627,7 +6627,7 @@ public:
     using Memory = lyapunov_energy_tank_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64_memory>(); lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
@@ -6649,7 +6649,7 @@ public:
     using Memory = lyapunov_energy_tank_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x3_memory>(); lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
@@ -6671,7 +6671,7 @@ public:
     using Memory = lyapunov_energy_tank_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x3_memory>(); lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
@@ -6693,7 +6693,7 @@ public:
     using Memory = lyapunov_energy_tank_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x6_memory>(); lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
@@ -6715,7 +6715,7 @@ public:
     using Memory = lyapunov_energy_tank_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x6_memory>(); lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
@@ -6737,7 +6737,7 @@ public:
     using Memory = lyapunov_energy_tank_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32screw_memory>(); lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
@@ -6759,7 +6759,7 @@ public:
     using Memory = lyapunov_energy_tank_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64screw_memory>(); lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
@@ -6784,7 +6784,7 @@ public:
     using Memory = lyapunov_energy_bounding_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32_memory>(); lyapunov_energy_bounding_f32_save(&storage, &memory); return memory; }
@@ -6812,7 +6812,7 @@ public:
     using Memory = lyapunov_energy_bounding_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64_memory>(); lyapunov_energy_bounding_f64_save(&storage, &memory); return memory; }
@@ -6840,7 +6840,7 @@ public:
     using Memory = lyapunov_energy_bounding_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x3_memory>(); lyapunov_energy_bounding_f32x3_save(&storage, &memory); return memory; }
@@ -6868,7 +6868,7 @@ public:
     using Memory = lyapunov_energy_bounding_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x3_memory>(); lyapunov_energy_bounding_f64x3_save(&storage, &memory); return memory; }
@@ -6896,7 +6896,7 @@ public:
     using Memory = lyapunov_energy_bounding_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x6_memory>(); lyapunov_energy_bounding_f32x6_save(&storage, &memory); return memory; }
@@ -6924,7 +6924,7 @@ public:
     using Memory = lyapunov_energy_bounding_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x6_memory>(); lyapunov_energy_bounding_f64x6_save(&storage, &memory); return memory; }
@@ -6952,7 +6952,7 @@ public:
     using Memory = lyapunov_energy_bounding_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32screw_memory>(); lyapunov_energy_bounding_f32screw_save(&storage, &memory); return memory; }
@@ -6980,7 +6980,7 @@ public:
     using Memory = lyapunov_energy_bounding_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64screw_memory>(); lyapunov_energy_bounding_f64screw_save(&storage, &memory); return memory; }
@@ -7011,7 +7011,7 @@ public:
     using Memory = lyapunov_least_norm_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32_memory>(); lyapunov_least_norm_f32_save(&storage, &memory); return memory; }
@@ -7039,7 +7039,7 @@ public:
     using Memory = lyapunov_least_norm_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64_memory>(); lyapunov_least_norm_f64_save(&storage, &memory); return memory; }
@@ -7067,7 +7067,7 @@ public:
     using Memory = lyapunov_least_norm_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x3_memory>(); lyapunov_least_norm_f32x3_save(&storage, &memory); return memory; }
@@ -7095,7 +7095,7 @@ public:
     using Memory = lyapunov_least_norm_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x3_memory>(); lyapunov_least_norm_f64x3_save(&storage, &memory); return memory; }
@@ -7123,7 +7123,7 @@ public:
     using Memory = lyapunov_least_norm_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x6_memory>(); lyapunov_least_norm_f32x6_save(&storage, &memory); return memory; }
@@ -7151,7 +7151,7 @@ public:
     using Memory = lyapunov_least_norm_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x6_memory>(); lyapunov_least_norm_f64x6_save(&storage, &memory); return memory; }
@@ -7179,7 +7179,7 @@ public:
     using Memory = lyapunov_least_norm_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32screw_memory>(); lyapunov_least_norm_f32screw_save(&storage, &memory); return memory; }
@@ -7207,7 +7207,7 @@ public:
     using Memory = lyapunov_least_norm_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_least_norm_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64screw_memory>(); lyapunov_least_norm_f64screw_save(&storage, &memory); return memory; }
@@ -7238,7 +7238,7 @@ public:
     using Memory = lyapunov_slope_bound_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32_memory>(); lyapunov_slope_bound_f32_save(&storage, &memory); return memory; }
@@ -7266,7 +7266,7 @@ public:
     using Memory = lyapunov_slope_bound_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64_memory>(); lyapunov_slope_bound_f64_save(&storage, &memory); return memory; }
@@ -7294,7 +7294,7 @@ public:
     using Memory = lyapunov_slope_bound_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x3_memory>(); lyapunov_slope_bound_f32x3_save(&storage, &memory); return memory; }
@@ -7322,7 +7322,7 @@ public:
     using Memory = lyapunov_slope_bound_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x3_memory>(); lyapunov_slope_bound_f64x3_save(&storage, &memory); return memory; }
@@ -7350,7 +7350,7 @@ public:
     using Memory = lyapunov_slope_bound_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x6_memory>(); lyapunov_slope_bound_f32x6_save(&storage, &memory); return memory; }
@@ -7378,7 +7378,7 @@ public:
     using Memory = lyapunov_slope_bound_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x6_memory>(); lyapunov_slope_bound_f64x6_save(&storage, &memory); return memory; }
@@ -7406,7 +7406,7 @@ public:
     using Memory = lyapunov_slope_bound_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32screw_memory>(); lyapunov_slope_bound_f32screw_save(&storage, &memory); return memory; }
@@ -7434,7 +7434,7 @@ public:
     using Memory = lyapunov_slope_bound_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_slope_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64screw_memory>(); lyapunov_slope_bound_f64screw_save(&storage, &memory); return memory; }
@@ -7465,7 +7465,7 @@ public:
     using Memory = lyapunov_memory_based_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_memory_based_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f32_memory>(); lyapunov_memory_based_f32_save(&storage, &memory); return memory; }
@@ -7493,7 +7493,7 @@ public:
     using Memory = lyapunov_memory_based_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_memory_based_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f64_memory>(); lyapunov_memory_based_f64_save(&storage, &memory); return memory; }
@@ -7524,7 +7524,7 @@ public:
     using Memory = lyapunov_path_memory_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_path_memory_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f32_memory>(); lyapunov_path_memory_f32_save(&storage, &memory); return memory; }
@@ -7544,7 +7544,7 @@ public:
     using Memory = lyapunov_path_memory_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_path_memory_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f64_memory>(); lyapunov_path_memory_f64_save(&storage, &memory); return memory; }
@@ -7567,7 +7567,7 @@ public:
     using Memory = lyapunov_two_port_side_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32_memory>(); lyapunov_two_port_side_f32_save(&storage, &memory); return memory; }
@@ -7599,7 +7599,7 @@ public:
     using Memory = lyapunov_two_port_side_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64_memory>(); lyapunov_two_port_side_f64_save(&storage, &memory); return memory; }
@@ -7631,7 +7631,7 @@ public:
     using Memory = lyapunov_two_port_side_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x3_memory>(); lyapunov_two_port_side_f32x3_save(&storage, &memory); return memory; }
@@ -7663,7 +7663,7 @@ public:
     using Memory = lyapunov_two_port_side_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x3_memory>(); lyapunov_two_port_side_f64x3_save(&storage, &memory); return memory; }
@@ -7695,7 +7695,7 @@ public:
     using Memory = lyapunov_two_port_side_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x6_memory>(); lyapunov_two_port_side_f32x6_save(&storage, &memory); return memory; }
@@ -7727,7 +7727,7 @@ public:
     using Memory = lyapunov_two_port_side_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x6_memory>(); lyapunov_two_port_side_f64x6_save(&storage, &memory); return memory; }
@@ -7759,7 +7759,7 @@ public:
     using Memory = lyapunov_two_port_side_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32screw_memory>(); lyapunov_two_port_side_f32screw_save(&storage, &memory); return memory; }
@@ -7791,7 +7791,7 @@ public:
     using Memory = lyapunov_two_port_side_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_port_side_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64screw_memory>(); lyapunov_two_port_side_f64screw_save(&storage, &memory); return memory; }
@@ -7826,7 +7826,7 @@ public:
     using Memory = lyapunov_drift_compensated_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32_memory>(); lyapunov_drift_compensated_f32_save(&storage, &memory); return memory; }
@@ -7858,7 +7858,7 @@ public:
     using Memory = lyapunov_drift_compensated_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64_memory>(); lyapunov_drift_compensated_f64_save(&storage, &memory); return memory; }
@@ -7890,7 +7890,7 @@ public:
     using Memory = lyapunov_drift_compensated_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x3_memory>(); lyapunov_drift_compensated_f32x3_save(&storage, &memory); return memory; }
@@ -7922,7 +7922,7 @@ public:
     using Memory = lyapunov_drift_compensated_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x3_memory>(); lyapunov_drift_compensated_f64x3_save(&storage, &memory); return memory; }
@@ -7954,7 +7954,7 @@ public:
     using Memory = lyapunov_drift_compensated_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x6_memory>(); lyapunov_drift_compensated_f32x6_save(&storage, &memory); return memory; }
@@ -7986,7 +7986,7 @@ public:
     using Memory = lyapunov_drift_compensated_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x6_memory>(); lyapunov_drift_compensated_f64x6_save(&storage, &memory); return memory; }
@@ -8018,7 +8018,7 @@ public:
     using Memory = lyapunov_drift_compensated_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32screw_memory>(); lyapunov_drift_compensated_f32screw_save(&storage, &memory); return memory; }
@@ -8050,7 +8050,7 @@ public:
     using Memory = lyapunov_drift_compensated_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_drift_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64screw_memory>(); lyapunov_drift_compensated_f64screw_save(&storage, &memory); return memory; }
@@ -8085,7 +8085,7 @@ public:
     using Memory = lyapunov_two_layer_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32_memory>(); lyapunov_two_layer_f32_save(&storage, &memory); return memory; }
@@ -8117,7 +8117,7 @@ public:
     using Memory = lyapunov_two_layer_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64_memory>(); lyapunov_two_layer_f64_save(&storage, &memory); return memory; }
@@ -8149,7 +8149,7 @@ public:
     using Memory = lyapunov_two_layer_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x3_memory>(); lyapunov_two_layer_f32x3_save(&storage, &memory); return memory; }
@@ -8181,7 +8181,7 @@ public:
     using Memory = lyapunov_two_layer_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x3_memory>(); lyapunov_two_layer_f64x3_save(&storage, &memory); return memory; }
@@ -8213,7 +8213,7 @@ public:
     using Memory = lyapunov_two_layer_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x6_memory>(); lyapunov_two_layer_f32x6_save(&storage, &memory); return memory; }
@@ -8245,7 +8245,7 @@ public:
     using Memory = lyapunov_two_layer_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x6_memory>(); lyapunov_two_layer_f64x6_save(&storage, &memory); return memory; }
@@ -8277,7 +8277,7 @@ public:
     using Memory = lyapunov_two_layer_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32screw_memory>(); lyapunov_two_layer_f32screw_save(&storage, &memory); return memory; }
@@ -8309,7 +8309,7 @@ public:
     using Memory = lyapunov_two_layer_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_two_layer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64screw_memory>(); lyapunov_two_layer_f64screw_save(&storage, &memory); return memory; }
@@ -8344,7 +8344,7 @@ public:
     using Memory = lyapunov_wave_transform_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32_memory>(); lyapunov_wave_transform_f32_save(&storage, &memory); return memory; }
@@ -8370,7 +8370,7 @@ public:
     using Memory = lyapunov_wave_transform_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64_memory>(); lyapunov_wave_transform_f64_save(&storage, &memory); return memory; }
@@ -8396,7 +8396,7 @@ public:
     using Memory = lyapunov_wave_transform_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x3_memory>(); lyapunov_wave_transform_f32x3_save(&storage, &memory); return memory; }
@@ -8422,7 +8422,7 @@ public:
     using Memory = lyapunov_wave_transform_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x3_memory>(); lyapunov_wave_transform_f64x3_save(&storage, &memory); return memory; }
@@ -8448,7 +8448,7 @@ public:
     using Memory = lyapunov_wave_transform_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x6_memory>(); lyapunov_wave_transform_f32x6_save(&storage, &memory); return memory; }
@@ -8474,7 +8474,7 @@ public:
     using Memory = lyapunov_wave_transform_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x6_memory>(); lyapunov_wave_transform_f64x6_save(&storage, &memory); return memory; }
@@ -8500,7 +8500,7 @@ public:
     using Memory = lyapunov_wave_transform_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32screw_memory>(); lyapunov_wave_transform_f32screw_save(&storage, &memory); return memory; }
@@ -8526,7 +8526,7 @@ public:
     using Memory = lyapunov_wave_transform_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_transform_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64screw_memory>(); lyapunov_wave_transform_f64screw_save(&storage, &memory); return memory; }
@@ -8555,7 +8555,7 @@ public:
     using Memory = lyapunov_wave_filter_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32_memory>(); lyapunov_wave_filter_f32_save(&storage, &memory); return memory; }
@@ -8575,7 +8575,7 @@ public:
     using Memory = lyapunov_wave_filter_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64_memory>(); lyapunov_wave_filter_f64_save(&storage, &memory); return memory; }
@@ -8595,7 +8595,7 @@ public:
     using Memory = lyapunov_wave_filter_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x3_memory>(); lyapunov_wave_filter_f32x3_save(&storage, &memory); return memory; }
@@ -8615,7 +8615,7 @@ public:
     using Memory = lyapunov_wave_filter_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x3_memory>(); lyapunov_wave_filter_f64x3_save(&storage, &memory); return memory; }
@@ -8635,7 +8635,7 @@ public:
     using Memory = lyapunov_wave_filter_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x6_memory>(); lyapunov_wave_filter_f32x6_save(&storage, &memory); return memory; }
@@ -8655,7 +8655,7 @@ public:
     using Memory = lyapunov_wave_filter_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x6_memory>(); lyapunov_wave_filter_f64x6_save(&storage, &memory); return memory; }
@@ -8675,7 +8675,7 @@ public:
     using Memory = lyapunov_wave_filter_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32screw_memory>(); lyapunov_wave_filter_f32screw_save(&storage, &memory); return memory; }
@@ -8695,7 +8695,7 @@ public:
     using Memory = lyapunov_wave_filter_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_filter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64screw_memory>(); lyapunov_wave_filter_f64screw_save(&storage, &memory); return memory; }
@@ -8718,7 +8718,7 @@ public:
     using Memory = lyapunov_wave_follower_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32_memory>(); lyapunov_wave_follower_f32_save(&storage, &memory); return memory; }
@@ -8738,7 +8738,7 @@ public:
     using Memory = lyapunov_wave_follower_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64_memory>(); lyapunov_wave_follower_f64_save(&storage, &memory); return memory; }
@@ -8758,7 +8758,7 @@ public:
     using Memory = lyapunov_wave_follower_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x3_memory>(); lyapunov_wave_follower_f32x3_save(&storage, &memory); return memory; }
@@ -8778,7 +8778,7 @@ public:
     using Memory = lyapunov_wave_follower_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x3_memory>(); lyapunov_wave_follower_f64x3_save(&storage, &memory); return memory; }
@@ -8798,7 +8798,7 @@ public:
     using Memory = lyapunov_wave_follower_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x6_memory>(); lyapunov_wave_follower_f32x6_save(&storage, &memory); return memory; }
@@ -8818,7 +8818,7 @@ public:
     using Memory = lyapunov_wave_follower_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x6_memory>(); lyapunov_wave_follower_f64x6_save(&storage, &memory); return memory; }
@@ -8838,7 +8838,7 @@ public:
     using Memory = lyapunov_wave_follower_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32screw_memory>(); lyapunov_wave_follower_f32screw_save(&storage, &memory); return memory; }
@@ -8858,7 +8858,7 @@ public:
     using Memory = lyapunov_wave_follower_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_wave_follower_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64screw_memory>(); lyapunov_wave_follower_f64screw_save(&storage, &memory); return memory; }
@@ -8881,7 +8881,7 @@ public:
     using Memory = lyapunov_observer_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32_memory>(); lyapunov_observer_f32_save(&storage, &memory); return memory; }
@@ -8901,7 +8901,7 @@ public:
     using Memory = lyapunov_observer_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64_memory>(); lyapunov_observer_f64_save(&storage, &memory); return memory; }
@@ -8921,7 +8921,7 @@ public:
     using Memory = lyapunov_observer_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x3_memory>(); lyapunov_observer_f32x3_save(&storage, &memory); return memory; }
@@ -8941,7 +8941,7 @@ public:
     using Memory = lyapunov_observer_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x3_memory>(); lyapunov_observer_f64x3_save(&storage, &memory); return memory; }
@@ -8961,7 +8961,7 @@ public:
     using Memory = lyapunov_observer_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x6_memory>(); lyapunov_observer_f32x6_save(&storage, &memory); return memory; }
@@ -8981,7 +8981,7 @@ public:
     using Memory = lyapunov_observer_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x6_memory>(); lyapunov_observer_f64x6_save(&storage, &memory); return memory; }
@@ -9001,7 +9001,7 @@ public:
     using Memory = lyapunov_observer_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32screw_memory>(); lyapunov_observer_f32screw_save(&storage, &memory); return memory; }
@@ -9021,7 +9021,7 @@ public:
     using Memory = lyapunov_observer_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_observer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64screw_memory>(); lyapunov_observer_f64screw_save(&storage, &memory); return memory; }
@@ -9044,7 +9044,7 @@ public:
     using Memory = lyapunov_energy_meter_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32_memory>(); lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
@@ -9066,7 +9066,7 @@ public:
     using Memory = lyapunov_energy_meter_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64_memory>(); lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
@@ -9088,7 +9088,7 @@ public:
     using Memory = lyapunov_energy_meter_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x3_memory>(); lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
@@ -9110,7 +9110,7 @@ public:
     using Memory = lyapunov_energy_meter_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x3_memory>(); lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
@@ -9132,7 +9132,7 @@ public:
     using Memory = lyapunov_energy_meter_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x6_memory>(); lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
@@ -9154,7 +9154,7 @@ public:
     using Memory = lyapunov_energy_meter_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x6_memory>(); lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
@@ -9176,7 +9176,7 @@ public:
     using Memory = lyapunov_energy_meter_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32screw_memory>(); lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
@@ -9198,7 +9198,7 @@ public:
     using Memory = lyapunov_energy_meter_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
     lyapunov_energy_meter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64screw_memory>(); lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }

@@ -16,6 +16,13 @@ pub struct Function {
     pub(super) arguments: Vec<(String, String)>,
 }
 
+impl Function {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+}
+
 impl Header {
     /// The classes.
     pub fn classes(&self) -> String {

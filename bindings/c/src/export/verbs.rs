@@ -10,7 +10,8 @@ macro_rules! verbs {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::init(storage, parameters, abi) }
             }
-            /// Changes the parameters between ticks; the memory stays. A refused change changes nothing.
+            /// Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads,
+            /// changes nothing. A refused change changes nothing.
             fn retune(storage: *mut Storage<Block>, parameters: *const Parameters) -> Status {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::retune(storage, parameters) }
