@@ -1,6 +1,6 @@
 //! Accounts: the observed energy of a stabilizer, read and changed between ticks.
 
-use lyapunov_core::{Accumulator, Ledger, ParameterError, Requirement, Scalar, Work};
+use lyapunov_core::{Accumulator, Ledger, Mask, ParameterError, Requirement, Scalar, Work};
 
 /// Stabilizer whose observed energy `L` can be read and changed between ticks.
 ///
@@ -77,8 +77,8 @@ fn changed<T: Scalar, A>(
     mut sum: A,
     book: impl FnOnce(&mut A) -> T::Mask,
 ) -> Result<A, ParameterError> {
-    let without_room = T::choose(book(&mut sum), T::of(0.0), T::of(1.0));
-    match (0..T::LANES).find(|&lane| without_room.lane(lane) > 0.0) {
+    let booked = book(&mut sum);
+    match (0..T::LANES).find(|&lane| !booked.lane(lane)) {
         None => Ok(sum),
         Some(lane) => {
             let value = given.lane(lane);
