@@ -66,6 +66,30 @@ compiles_without_a_warning() {
     done
 }
 
+refused_to_compile() { # compiler, cases in the words of the classes' test, flags
+    local compiler=$1 case
+    for case in $2; do
+        if $compiler -std=c++17 -Iinclude "${@:3}" -DREFUSED="$case" -fsyntax-only tests/c/classes.cpp 2>"$out/refused.log"; then
+            echo "tests/c/classes.cpp compiles with REFUSED=$case, and numbers that are not the vector's are read"
+            return 1
+        fi
+        grep -qE 'numbers one after another|numbers of a matrix have no order' "$out/refused.log" || { cat "$out/refused.log"; return 1; }
+    done
+}
+
+classes() { # what they take and answer, and what must not compile
+    local compiler eigen=(-DWITH_EIGEN -isystem /usr/include/eigen3)
+    [ -d /usr/include/eigen3 ] || { skipped "classes with Eigen's vectors: Eigen is not here"; eigen=(); }
+    for compiler in g++ clang++; do
+        have $compiler || { skipped "classes with $compiler: it is not here"; continue; }
+        $compiler -std=c++17 -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude "${eigen[@]}" \
+            tests/c/classes.cpp "$library" -lm -o "$out/classes"
+        "$out/classes"
+        refused_to_compile $compiler "1 2 3"
+        [ ${#eigen[@]} -eq 0 ] || refused_to_compile $compiler "4 5 6 7" "${eigen[@]}"
+    done
+}
+
 shares() { # of a shared library, what it exports
     nm -D --defined-only "$1" | awk '$2 == "T" && $3 ~ /^lyapunov_/ { print $3 }' | sort
 }
@@ -123,19 +147,31 @@ no_panic_is_linked() {
     ! arm-none-eabi-nm -C "$1" | grep -iE 'panic|rust_begin_unwind|core::fmt|__rust_alloc'
 }
 
-flash() { # target, flags: bytes of code and of memory beyond a loop without a stabilizer
+flash() { # target, flags, its name in the README: bytes of code and of memory beyond a loop without a stabilizer, as the README has them
     local name
     for name in empty by_hand small; do
         bare "$out/$name.elf" "$2" -Os -nostartfiles -Wl,--entry=loop "tests/bare/$name.c" "target/$1/release/liblyapunov_c.a"
     done
     no_panic_is_linked "$out/small.elf"
-    arm-none-eabi-size "$out/empty.elf" "$out/by_hand.elf" "$out/small.elf" | awk -v target="$1" '
+    arm-none-eabi-size "$out/empty.elf" "$out/by_hand.elf" "$out/small.elf" | awk -v target="$1" -v row="$(grep "^| $3 |" README.md)" '
+        # Other versions of the compilers give a few bytes more or less.
+        function differs(now, told) { return now < 0.96 * told || now > 1.04 * told }
+        BEGIN { split(row, told, "|") }
         NR == 2 { text = $1; data = $2 + $3 }
-        NR > 2 { printf "%s %-8s %5d bytes of flash, %3d of memory\n", target, NR == 3 ? "by hand" : "library", $1 - text, $2 + $3 - data }'
+        NR > 2 {
+            at = NR == 3 ? 4 : 3
+            flash = $1 - text; memory = $2 + $3 - data
+            printf "%s %-8s %5d bytes of flash, %3d of memory\n", target, NR == 3 ? "by hand" : "library", flash, memory
+            if (differs(flash, told[at]) || differs(memory, told[at + 2])) {
+                printf "README.md has%s and%s\n", told[at], told[at + 2]
+                failed = 1
+            }
+        }
+        END { exit failed }'
 }
 
 on_a_microcontroller() {
-    local target processor flags board at running=() failed=0
+    local target processor name flags board at running=() failed=0
     if ! have arm-none-eabi-gcc; then
         skipped "microcontrollers: arm-none-eabi-gcc is not here (Debian: gcc-arm-none-eabi, libnewlib-arm-none-eabi)"
         return
@@ -148,10 +184,10 @@ on_a_microcontroller() {
         step "$target"
         archive $target
         case $target in
-            thumbv6m*) processor=cortex-m0 flags=-mcpu=cortex-m0 ;;
-            *) processor=cortex-m4 flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
+            thumbv6m*) processor=cortex-m0 name=Cortex-M0 flags=-mcpu=cortex-m0 ;;
+            *) processor=cortex-m4 name=Cortex-M4F flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
         esac
-        flash $target "$flags"
+        flash $target "$flags" $name
         have qemu-system-arm || { skipped "running on $processor: qemu-system-arm is not here"; continue; }
         bare "$out/$processor.elf" "$flags" -O1 --specs=rdimon.specs -nostartfiles -T tests/bare/mps2.ld \
             tests/bare/start.c tests/c/equal.c "$(arm-none-eabi-gcc $flags -mthumb -print-file-name=crti.o)" \
@@ -210,6 +246,8 @@ else
 fi
 step "installed, and found again"
 installs
+step "classes"
+classes
 step "hard inputs"
 for compiler in gcc clang; do
     have $compiler || { skipped "hard inputs with $compiler: it is not here"; continue; }

@@ -68,11 +68,38 @@ impl Requirement {
         }
     }
 
+    /// The first lane of `value` that is not right.
+    #[inline(always)]
+    fn wrong<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
+        match T::LANES {
+            1 if self.holds_alone(number, value) => None,
+            1 => Some(value.lane(0)),
+            _ => self.missed(number, value),
+        }
+    }
+
+    /// Whether the only lane of `value` is right. In its own type, and written out for each parameter, so that the match folds: where
+    /// the processor has no doubles, each comparison of them is a function.
+    #[inline(always)]
+    fn holds_alone<T: Scalar>(self, number: f64, value: T) -> bool {
+        let none = T::zero();
+        let right = match self {
+            Self::Finite | Self::InRange => value.finite(),
+            Self::Positive => value.finite() & value.above(none),
+            Self::NonNegative => value.finite() & !value.below(none),
+            Self::Limit => value.above(none) | value.finite() & !value.below(none),
+            Self::AboveZero => value.above(none),
+            // A number that is none of the type's would be rounded to one.
+            Self::AtMost(_) | Self::AtLeast(_) => return self.holds(number, value.lane(0)),
+        };
+        right.all()
+    }
+
     /// The first lane of `value` that is not right. Out of line: written out for each parameter, the checks of lanes are most of a
     /// constructor.
     #[inline(never)]
     fn missed<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
-        if T::LANES > 1 && self.surely_holds(value) {
+        if self.surely_holds(value) {
             return None;
         }
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
@@ -96,8 +123,9 @@ impl Requirement {
     ///
     /// # Errors
     /// A [`ParameterError`] that names `parameter` and the first lane's value that is not right.
+    #[inline]
     pub fn check<T: Scalar>(self, parameter: &'static str, value: T) -> Result<T, ParameterError> {
-        match self.missed(self.number(), value) {
+        match self.wrong(self.number(), value) {
             Some(value) => Err(ParameterError { parameter, value, requirement: self }),
             None => Ok(value),
         }
@@ -123,7 +151,7 @@ impl Requirement {
     ) -> Result<V, ParameterError> {
         let (number, mut refused) = (self.number(), None);
         let _ = signal.map(|axis| {
-            refused = refused.or_else(|| self.missed(number, axis));
+            refused = refused.or_else(|| self.wrong(number, axis));
             axis
         });
         match refused {

@@ -1,6 +1,6 @@
 //! Accounts: the observed energy of a stabilizer, read and changed between ticks.
 
-use lyapunov_core::{Accumulator, Ledger, ParameterError, Requirement, Scalar, Work};
+use lyapunov_core::{Accumulator, Ledger, Mask, ParameterError, Requirement, Scalar, Work};
 
 /// Stabilizer whose observed energy `L` can be read and changed between ticks.
 ///
@@ -57,7 +57,7 @@ pub(crate) fn granted<T: Scalar, A: Copy>(
     book: impl FnOnce(&mut A, T) -> T::Mask,
 ) -> Result<A, ParameterError> {
     let energy = Requirement::NonNegative.check("granted credit", energy)?;
-    changed("granted credit", sum, energy, book)
+    changed("granted credit", energy, sum, |sum| book(sum, energy))
 }
 
 /// `sum` with as many joules of `debt` more.
@@ -67,20 +67,24 @@ pub(crate) fn owed<T: Scalar, A: Copy>(
     book: impl FnOnce(&mut A, T) -> T::Mask,
 ) -> Result<A, ParameterError> {
     let debt = Requirement::NonNegative.check("debt carried over", debt)?;
-    changed("debt carried over", sum, -debt, book)
+    changed("debt carried over", debt, sum, |sum| book(sum, -debt))
 }
 
+/// `sum` with a change of `given` joules, which `book` has no room for where it says so.
 fn changed<T: Scalar, A>(
-    name: &'static str,
+    parameter: &'static str,
+    given: T,
     mut sum: A,
-    change: T,
-    book: impl FnOnce(&mut A, T) -> T::Mask,
+    book: impl FnOnce(&mut A) -> T::Mask,
 ) -> Result<A, ParameterError> {
-    // A change without room counts as one that is infinite.
-    let endless = T::of(f64::INFINITY);
-    let booked = book(&mut sum, change);
-    Requirement::InRange.check(name, T::choose(booked, change, endless))?;
-    Ok(sum)
+    let booked = book(&mut sum);
+    match (0..T::LANES).find(|&lane| !booked.lane(lane)) {
+        None => Ok(sum),
+        Some(lane) => {
+            let value = given.lane(lane);
+            Err(ParameterError { parameter, value, requirement: Requirement::InRange })
+        }
+    }
 }
 
 impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {

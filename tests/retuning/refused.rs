@@ -80,11 +80,16 @@ fn refused_changes_change_nothing() {
     for bad in [-1.0, f64::NAN, f64::INFINITY, 1e308] {
         let refused = popc.grant(bad).expect_err("a bad credit");
         assert_eq!(refused.parameter, "granted credit");
+        assert_eq!(refused.value.to_bits(), bad.to_bits(), "what was given");
         assert_eq!(popc.observed_energy(), 1e308);
     }
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
         assert_eq!(popc.owe(bad).expect_err("a bad debt").parameter, "debt carried over");
     }
+    let mut deep = popc;
+    deep.owe(1e308).and(deep.owe(1e308)).expect("room for both");
+    let refused = deep.owe(1e308).expect_err("no room");
+    assert_eq!((refused.value, deep.observed_energy()), (1e308, -1e308));
     let mut bounded = popc.bounded(1e-3).expect("one");
     assert!(bounded.set_most(-1.0).is_err() && bounded.most() == 1e-3);
     let mut limited = popc.rate_limited::<f64>(5.0).expect("one");

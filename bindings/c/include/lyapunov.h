@@ -886,7 +886,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32_memory, word) == 0, lyapunov_read
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32_init_abi(lyapunov_readings_f32 *storage, const lyapunov_readings_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32_init(storage, parameters) lyapunov_readings_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32_retune(lyapunov_readings_f32 *storage, const lyapunov_readings_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32_save(const lyapunov_readings_f32 *storage, lyapunov_readings_f32_memory *memory);
@@ -931,7 +932,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64_memory, word) == 0, lyapunov_read
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64_init_abi(lyapunov_readings_f64 *storage, const lyapunov_readings_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64_init(storage, parameters) lyapunov_readings_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64_retune(lyapunov_readings_f64 *storage, const lyapunov_readings_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64_save(const lyapunov_readings_f64 *storage, lyapunov_readings_f64_memory *memory);
@@ -976,7 +978,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x3_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x3_init_abi(lyapunov_readings_f32x3 *storage, const lyapunov_readings_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32x3_init(storage, parameters) lyapunov_readings_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x3_retune(lyapunov_readings_f32x3 *storage, const lyapunov_readings_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32x3_save(const lyapunov_readings_f32x3 *storage, lyapunov_readings_f32x3_memory *memory);
@@ -1021,7 +1024,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x3_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x3_init_abi(lyapunov_readings_f64x3 *storage, const lyapunov_readings_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64x3_init(storage, parameters) lyapunov_readings_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x3_retune(lyapunov_readings_f64x3 *storage, const lyapunov_readings_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64x3_save(const lyapunov_readings_f64x3 *storage, lyapunov_readings_f64x3_memory *memory);
@@ -1066,7 +1070,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x6_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x6_init_abi(lyapunov_readings_f32x6 *storage, const lyapunov_readings_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32x6_init(storage, parameters) lyapunov_readings_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32x6_retune(lyapunov_readings_f32x6 *storage, const lyapunov_readings_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32x6_save(const lyapunov_readings_f32x6 *storage, lyapunov_readings_f32x6_memory *memory);
@@ -1111,7 +1116,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x6_memory, word) == 0, lyapunov_re
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x6_init_abi(lyapunov_readings_f64x6 *storage, const lyapunov_readings_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64x6_init(storage, parameters) lyapunov_readings_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64x6_retune(lyapunov_readings_f64x6 *storage, const lyapunov_readings_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64x6_save(const lyapunov_readings_f64x6 *storage, lyapunov_readings_f64x6_memory *memory);
@@ -1156,7 +1162,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32screw_init_abi(lyapunov_readings_f32screw *storage, const lyapunov_readings_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f32screw_init(storage, parameters) lyapunov_readings_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f32screw_retune(lyapunov_readings_f32screw *storage, const lyapunov_readings_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f32screw_save(const lyapunov_readings_f32screw *storage, lyapunov_readings_f32screw_memory *memory);
@@ -1201,7 +1208,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64screw_init_abi(lyapunov_readings_f64screw *storage, const lyapunov_readings_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_f64screw_init(storage, parameters) lyapunov_readings_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_f64screw_retune(lyapunov_readings_f64screw *storage, const lyapunov_readings_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_f64screw_save(const lyapunov_readings_f64screw *storage, lyapunov_readings_f64screw_memory *memory);
@@ -1245,7 +1253,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32_init_abi(lyapunov_readings_measured_f32 *storage, const lyapunov_readings_measured_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32_init(storage, parameters) lyapunov_readings_measured_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32_retune(lyapunov_readings_measured_f32 *storage, const lyapunov_readings_measured_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32_save(const lyapunov_readings_measured_f32 *storage, lyapunov_readings_measured_f32_memory *memory);
@@ -1290,7 +1299,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64_init_abi(lyapunov_readings_measured_f64 *storage, const lyapunov_readings_measured_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64_init(storage, parameters) lyapunov_readings_measured_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64_retune(lyapunov_readings_measured_f64 *storage, const lyapunov_readings_measured_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64_save(const lyapunov_readings_measured_f64 *storage, lyapunov_readings_measured_f64_memory *memory);
@@ -1335,7 +1345,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x3_init_abi(lyapunov_readings_measured_f32x3 *storage, const lyapunov_readings_measured_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32x3_init(storage, parameters) lyapunov_readings_measured_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x3_retune(lyapunov_readings_measured_f32x3 *storage, const lyapunov_readings_measured_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32x3_save(const lyapunov_readings_measured_f32x3 *storage, lyapunov_readings_measured_f32x3_memory *memory);
@@ -1380,7 +1391,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x3_init_abi(lyapunov_readings_measured_f64x3 *storage, const lyapunov_readings_measured_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64x3_init(storage, parameters) lyapunov_readings_measured_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x3_retune(lyapunov_readings_measured_f64x3 *storage, const lyapunov_readings_measured_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64x3_save(const lyapunov_readings_measured_f64x3 *storage, lyapunov_readings_measured_f64x3_memory *memory);
@@ -1425,7 +1437,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x6_init_abi(lyapunov_readings_measured_f32x6 *storage, const lyapunov_readings_measured_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32x6_init(storage, parameters) lyapunov_readings_measured_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32x6_retune(lyapunov_readings_measured_f32x6 *storage, const lyapunov_readings_measured_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32x6_save(const lyapunov_readings_measured_f32x6 *storage, lyapunov_readings_measured_f32x6_memory *memory);
@@ -1470,7 +1483,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x6_init_abi(lyapunov_readings_measured_f64x6 *storage, const lyapunov_readings_measured_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64x6_init(storage, parameters) lyapunov_readings_measured_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64x6_retune(lyapunov_readings_measured_f64x6 *storage, const lyapunov_readings_measured_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64x6_save(const lyapunov_readings_measured_f64x6 *storage, lyapunov_readings_measured_f64x6_memory *memory);
@@ -1515,7 +1529,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32screw_init_abi(lyapunov_readings_measured_f32screw *storage, const lyapunov_readings_measured_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f32screw_init(storage, parameters) lyapunov_readings_measured_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f32screw_retune(lyapunov_readings_measured_f32screw *storage, const lyapunov_readings_measured_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f32screw_save(const lyapunov_readings_measured_f32screw *storage, lyapunov_readings_measured_f32screw_memory *memory);
@@ -1560,7 +1575,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64screw_init_abi(lyapunov_readings_measured_f64screw *storage, const lyapunov_readings_measured_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_f64screw_init(storage, parameters) lyapunov_readings_measured_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_f64screw_retune(lyapunov_readings_measured_f64screw *storage, const lyapunov_readings_measured_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_f64screw_save(const lyapunov_readings_measured_f64screw *storage, lyapunov_readings_measured_f64screw_memory *memory);
@@ -1608,7 +1624,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32_init_abi(lyapunov_readings_low_passed_f32 *storage, const lyapunov_readings_low_passed_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f32_init(storage, parameters) lyapunov_readings_low_passed_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32_retune(lyapunov_readings_low_passed_f32 *storage, const lyapunov_readings_low_passed_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32_save(const lyapunov_readings_low_passed_f32 *storage, lyapunov_readings_low_passed_f32_memory *memory);
@@ -1655,7 +1672,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64_init_abi(lyapunov_readings_low_passed_f64 *storage, const lyapunov_readings_low_passed_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f64_init(storage, parameters) lyapunov_readings_low_passed_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64_retune(lyapunov_readings_low_passed_f64 *storage, const lyapunov_readings_low_passed_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64_save(const lyapunov_readings_low_passed_f64 *storage, lyapunov_readings_low_passed_f64_memory *memory);
@@ -1702,7 +1720,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x3_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x3_init_abi(lyapunov_readings_low_passed_f32x3 *storage, const lyapunov_readings_low_passed_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f32x3_init(storage, parameters) lyapunov_readings_low_passed_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x3_retune(lyapunov_readings_low_passed_f32x3 *storage, const lyapunov_readings_low_passed_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32x3_save(const lyapunov_readings_low_passed_f32x3 *storage, lyapunov_readings_low_passed_f32x3_memory *memory);
@@ -1749,7 +1768,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x3_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x3_init_abi(lyapunov_readings_low_passed_f64x3 *storage, const lyapunov_readings_low_passed_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f64x3_init(storage, parameters) lyapunov_readings_low_passed_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x3_retune(lyapunov_readings_low_passed_f64x3 *storage, const lyapunov_readings_low_passed_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64x3_save(const lyapunov_readings_low_passed_f64x3 *storage, lyapunov_readings_low_passed_f64x3_memory *memory);
@@ -1796,7 +1816,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x6_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x6_init_abi(lyapunov_readings_low_passed_f32x6 *storage, const lyapunov_readings_low_passed_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f32x6_init(storage, parameters) lyapunov_readings_low_passed_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f32x6_retune(lyapunov_readings_low_passed_f32x6 *storage, const lyapunov_readings_low_passed_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32x6_save(const lyapunov_readings_low_passed_f32x6 *storage, lyapunov_readings_low_passed_f32x6_memory *memory);
@@ -1843,7 +1864,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x6_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x6_init_abi(lyapunov_readings_low_passed_f64x6 *storage, const lyapunov_readings_low_passed_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_low_passed_f64x6_init(storage, parameters) lyapunov_readings_low_passed_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_low_passed_f64x6_retune(lyapunov_readings_low_passed_f64x6 *storage, const lyapunov_readings_low_passed_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64x6_save(const lyapunov_readings_low_passed_f64x6 *storage, lyapunov_readings_low_passed_f64x6_memory *memory);
@@ -1893,7 +1915,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32_init_abi(lyapunov_readings_windowed_f32 *storage, const lyapunov_readings_windowed_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f32_init(storage, parameters) lyapunov_readings_windowed_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32_retune(lyapunov_readings_windowed_f32 *storage, const lyapunov_readings_windowed_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32_save(const lyapunov_readings_windowed_f32 *storage, lyapunov_readings_windowed_f32_memory *memory);
@@ -1943,7 +1966,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64_init_abi(lyapunov_readings_windowed_f64 *storage, const lyapunov_readings_windowed_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f64_init(storage, parameters) lyapunov_readings_windowed_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64_retune(lyapunov_readings_windowed_f64 *storage, const lyapunov_readings_windowed_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64_save(const lyapunov_readings_windowed_f64 *storage, lyapunov_readings_windowed_f64_memory *memory);
@@ -1993,7 +2017,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x3_init_abi(lyapunov_readings_windowed_f32x3 *storage, const lyapunov_readings_windowed_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f32x3_init(storage, parameters) lyapunov_readings_windowed_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x3_retune(lyapunov_readings_windowed_f32x3 *storage, const lyapunov_readings_windowed_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32x3_save(const lyapunov_readings_windowed_f32x3 *storage, lyapunov_readings_windowed_f32x3_memory *memory);
@@ -2043,7 +2068,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x3_init_abi(lyapunov_readings_windowed_f64x3 *storage, const lyapunov_readings_windowed_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f64x3_init(storage, parameters) lyapunov_readings_windowed_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x3_retune(lyapunov_readings_windowed_f64x3 *storage, const lyapunov_readings_windowed_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x3_save(const lyapunov_readings_windowed_f64x3 *storage, lyapunov_readings_windowed_f64x3_memory *memory);
@@ -2093,7 +2119,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x6_init_abi(lyapunov_readings_windowed_f32x6 *storage, const lyapunov_readings_windowed_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f32x6_init(storage, parameters) lyapunov_readings_windowed_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f32x6_retune(lyapunov_readings_windowed_f32x6 *storage, const lyapunov_readings_windowed_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32x6_save(const lyapunov_readings_windowed_f32x6 *storage, lyapunov_readings_windowed_f32x6_memory *memory);
@@ -2143,7 +2170,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x6_init_abi(lyapunov_readings_windowed_f64x6 *storage, const lyapunov_readings_windowed_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_windowed_f64x6_init(storage, parameters) lyapunov_readings_windowed_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_windowed_f64x6_retune(lyapunov_readings_windowed_f64x6 *storage, const lyapunov_readings_windowed_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x6_save(const lyapunov_readings_windowed_f64x6 *storage, lyapunov_readings_windowed_f64x6_memory *memory);
@@ -2162,7 +2190,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x6_restart(lyapunov_readings
 typedef struct lyapunov_readings_clocked_f32_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32_parameters) == 8, lyapunov_readings_clocked_f32_parameters_size);
@@ -2187,7 +2216,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32_init_abi(lyapunov_readings_clocked_f32 *storage, const lyapunov_readings_clocked_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f32_init(storage, parameters) lyapunov_readings_clocked_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32_retune(lyapunov_readings_clocked_f32 *storage, const lyapunov_readings_clocked_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32_save(const lyapunov_readings_clocked_f32 *storage, lyapunov_readings_clocked_f32_memory *memory);
@@ -2206,7 +2236,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32_restart(lyapunov_readings_cl
 typedef struct lyapunov_readings_clocked_f64_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64_parameters) == 16, lyapunov_readings_clocked_f64_parameters_size);
@@ -2231,7 +2262,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64_init_abi(lyapunov_readings_clocked_f64 *storage, const lyapunov_readings_clocked_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f64_init(storage, parameters) lyapunov_readings_clocked_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64_retune(lyapunov_readings_clocked_f64 *storage, const lyapunov_readings_clocked_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64_save(const lyapunov_readings_clocked_f64 *storage, lyapunov_readings_clocked_f64_memory *memory);
@@ -2250,7 +2282,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64_restart(lyapunov_readings_cl
 typedef struct lyapunov_readings_clocked_f32x3_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3_parameters) == 8, lyapunov_readings_clocked_f32x3_parameters_size);
@@ -2275,7 +2308,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x3_init_abi(lyapunov_readings_clocked_f32x3 *storage, const lyapunov_readings_clocked_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f32x3_init(storage, parameters) lyapunov_readings_clocked_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x3_retune(lyapunov_readings_clocked_f32x3 *storage, const lyapunov_readings_clocked_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x3_save(const lyapunov_readings_clocked_f32x3 *storage, lyapunov_readings_clocked_f32x3_memory *memory);
@@ -2294,7 +2328,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x3_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f64x3_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3_parameters) == 16, lyapunov_readings_clocked_f64x3_parameters_size);
@@ -2319,7 +2354,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x3_init_abi(lyapunov_readings_clocked_f64x3 *storage, const lyapunov_readings_clocked_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f64x3_init(storage, parameters) lyapunov_readings_clocked_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x3_retune(lyapunov_readings_clocked_f64x3 *storage, const lyapunov_readings_clocked_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x3_save(const lyapunov_readings_clocked_f64x3 *storage, lyapunov_readings_clocked_f64x3_memory *memory);
@@ -2338,7 +2374,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x3_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f32x6_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6_parameters) == 8, lyapunov_readings_clocked_f32x6_parameters_size);
@@ -2363,7 +2400,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x6_init_abi(lyapunov_readings_clocked_f32x6 *storage, const lyapunov_readings_clocked_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f32x6_init(storage, parameters) lyapunov_readings_clocked_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f32x6_retune(lyapunov_readings_clocked_f32x6 *storage, const lyapunov_readings_clocked_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x6_save(const lyapunov_readings_clocked_f32x6 *storage, lyapunov_readings_clocked_f32x6_memory *memory);
@@ -2382,7 +2420,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x6_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f64x6_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6_parameters) == 16, lyapunov_readings_clocked_f64x6_parameters_size);
@@ -2407,7 +2446,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x6_init_abi(lyapunov_readings_clocked_f64x6 *storage, const lyapunov_readings_clocked_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_clocked_f64x6_init(storage, parameters) lyapunov_readings_clocked_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_clocked_f64x6_retune(lyapunov_readings_clocked_f64x6 *storage, const lyapunov_readings_clocked_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x6_save(const lyapunov_readings_clocked_f64x6 *storage, lyapunov_readings_clocked_f64x6_memory *memory);
@@ -2426,7 +2466,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x6_restart(lyapunov_readings_
 typedef struct lyapunov_readings_measured_clocked_f32_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32_parameters) == 8, lyapunov_readings_measured_clocked_f32_parameters_size);
@@ -2451,7 +2492,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32_memory, word) ==
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32_init_abi(lyapunov_readings_measured_clocked_f32 *storage, const lyapunov_readings_measured_clocked_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f32_init(storage, parameters) lyapunov_readings_measured_clocked_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32_retune(lyapunov_readings_measured_clocked_f32 *storage, const lyapunov_readings_measured_clocked_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32_save(const lyapunov_readings_measured_clocked_f32 *storage, lyapunov_readings_measured_clocked_f32_memory *memory);
@@ -2470,7 +2512,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32_restart(lyapunov_re
 typedef struct lyapunov_readings_measured_clocked_f64_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64_parameters) == 16, lyapunov_readings_measured_clocked_f64_parameters_size);
@@ -2495,7 +2538,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64_memory, word) ==
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64_init_abi(lyapunov_readings_measured_clocked_f64 *storage, const lyapunov_readings_measured_clocked_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f64_init(storage, parameters) lyapunov_readings_measured_clocked_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64_retune(lyapunov_readings_measured_clocked_f64 *storage, const lyapunov_readings_measured_clocked_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64_save(const lyapunov_readings_measured_clocked_f64 *storage, lyapunov_readings_measured_clocked_f64_memory *memory);
@@ -2514,7 +2558,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64_restart(lyapunov_re
 typedef struct lyapunov_readings_measured_clocked_f32x3_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3_parameters) == 8, lyapunov_readings_measured_clocked_f32x3_parameters_size);
@@ -2539,7 +2584,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x3_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x3_init_abi(lyapunov_readings_measured_clocked_f32x3 *storage, const lyapunov_readings_measured_clocked_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f32x3_init(storage, parameters) lyapunov_readings_measured_clocked_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x3_retune(lyapunov_readings_measured_clocked_f32x3 *storage, const lyapunov_readings_measured_clocked_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x3_save(const lyapunov_readings_measured_clocked_f32x3 *storage, lyapunov_readings_measured_clocked_f32x3_memory *memory);
@@ -2558,7 +2604,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x3_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f64x3_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3_parameters) == 16, lyapunov_readings_measured_clocked_f64x3_parameters_size);
@@ -2583,7 +2630,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x3_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x3_init_abi(lyapunov_readings_measured_clocked_f64x3 *storage, const lyapunov_readings_measured_clocked_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f64x3_init(storage, parameters) lyapunov_readings_measured_clocked_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x3_retune(lyapunov_readings_measured_clocked_f64x3 *storage, const lyapunov_readings_measured_clocked_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x3_save(const lyapunov_readings_measured_clocked_f64x3 *storage, lyapunov_readings_measured_clocked_f64x3_memory *memory);
@@ -2602,7 +2650,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x3_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f32x6_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6_parameters) == 8, lyapunov_readings_measured_clocked_f32x6_parameters_size);
@@ -2627,7 +2676,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x6_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x6_init_abi(lyapunov_readings_measured_clocked_f32x6 *storage, const lyapunov_readings_measured_clocked_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f32x6_init(storage, parameters) lyapunov_readings_measured_clocked_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f32x6_retune(lyapunov_readings_measured_clocked_f32x6 *storage, const lyapunov_readings_measured_clocked_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x6_save(const lyapunov_readings_measured_clocked_f32x6 *storage, lyapunov_readings_measured_clocked_f32x6_memory *memory);
@@ -2646,7 +2696,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x6_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f64x6_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
+       period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6_parameters) == 16, lyapunov_readings_measured_clocked_f64x6_parameters_size);
@@ -2671,7 +2722,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x6_memory, word) 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x6_init_abi(lyapunov_readings_measured_clocked_f64x6 *storage, const lyapunov_readings_measured_clocked_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_measured_clocked_f64x6_init(storage, parameters) lyapunov_readings_measured_clocked_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_measured_clocked_f64x6_retune(lyapunov_readings_measured_clocked_f64x6 *storage, const lyapunov_readings_measured_clocked_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x6_save(const lyapunov_readings_measured_clocked_f64x6 *storage, lyapunov_readings_measured_clocked_f64x6_memory *memory);
@@ -2719,7 +2771,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f32screw_init_abi(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_readings_of_poses_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_f32screw_init(storage, parameters) lyapunov_readings_of_poses_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f32screw_retune(lyapunov_readings_of_poses_f32screw *storage, const lyapunov_readings_of_poses_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f32screw_save(const lyapunov_readings_of_poses_f32screw *storage, lyapunov_readings_of_poses_f32screw_memory *memory);
@@ -2767,7 +2820,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f64screw_init_abi(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_readings_of_poses_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_f64screw_init(storage, parameters) lyapunov_readings_of_poses_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_f64screw_retune(lyapunov_readings_of_poses_f64screw *storage, const lyapunov_readings_of_poses_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f64screw_save(const lyapunov_readings_of_poses_f64screw *storage, lyapunov_readings_of_poses_f64screw_memory *memory);
@@ -2814,7 +2868,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f32screw_init_abi(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_readings_of_poses_measured_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_f32screw_init(storage, parameters) lyapunov_readings_of_poses_measured_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f32screw_retune(lyapunov_readings_of_poses_measured_f32screw *storage, const lyapunov_readings_of_poses_measured_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f32screw_save(const lyapunov_readings_of_poses_measured_f32screw *storage, lyapunov_readings_of_poses_measured_f32screw_memory *memory);
@@ -2862,7 +2917,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f64screw_init_abi(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_readings_of_poses_measured_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_f64screw_init(storage, parameters) lyapunov_readings_of_poses_measured_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_f64screw_retune(lyapunov_readings_of_poses_measured_f64screw *storage, const lyapunov_readings_of_poses_measured_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_save(const lyapunov_readings_of_poses_measured_f64screw *storage, lyapunov_readings_of_poses_measured_f64screw_memory *memory);
@@ -2913,7 +2969,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_memory, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f32screw_init_abi(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_readings_of_poses_low_passed_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_low_passed_f32screw_init(storage, parameters) lyapunov_readings_of_poses_low_passed_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f32screw_retune(lyapunov_readings_of_poses_low_passed_f32screw *storage, const lyapunov_readings_of_poses_low_passed_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f32screw_save(const lyapunov_readings_of_poses_low_passed_f32screw *storage, lyapunov_readings_of_poses_low_passed_f32screw_memory *memory);
@@ -2963,7 +3020,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_memory, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f64screw_init_abi(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_readings_of_poses_low_passed_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_low_passed_f64screw_init(storage, parameters) lyapunov_readings_of_poses_low_passed_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_low_passed_f64screw_retune(lyapunov_readings_of_poses_low_passed_f64screw *storage, const lyapunov_readings_of_poses_low_passed_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f64screw_save(const lyapunov_readings_of_poses_low_passed_f64screw *storage, lyapunov_readings_of_poses_low_passed_f64screw_memory *memory);
@@ -3016,7 +3074,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f32screw_init_abi(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_readings_of_poses_windowed_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_windowed_f32screw_init(storage, parameters) lyapunov_readings_of_poses_windowed_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f32screw_retune(lyapunov_readings_of_poses_windowed_f32screw *storage, const lyapunov_readings_of_poses_windowed_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f32screw_save(const lyapunov_readings_of_poses_windowed_f32screw *storage, lyapunov_readings_of_poses_windowed_f32screw_memory *memory);
@@ -3069,7 +3128,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_memory, wo
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f64screw_init_abi(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_readings_of_poses_windowed_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_windowed_f64screw_init(storage, parameters) lyapunov_readings_of_poses_windowed_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_windowed_f64screw_retune(lyapunov_readings_of_poses_windowed_f64screw *storage, const lyapunov_readings_of_poses_windowed_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f64screw_save(const lyapunov_readings_of_poses_windowed_f64screw *storage, lyapunov_readings_of_poses_windowed_f64screw_memory *memory);
@@ -3090,7 +3150,8 @@ typedef struct lyapunov_readings_of_poses_clocked_f32screw_parameters {
     float period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period, so that the twist may be above it. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_clocked_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_clocked_f32screw_parameters_size);
@@ -3116,7 +3177,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_memory, wor
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f32screw_init_abi(lyapunov_readings_of_poses_clocked_f32screw *storage, const lyapunov_readings_of_poses_clocked_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_clocked_f32screw_init(storage, parameters) lyapunov_readings_of_poses_clocked_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f32screw_retune(lyapunov_readings_of_poses_clocked_f32screw *storage, const lyapunov_readings_of_poses_clocked_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f32screw_save(const lyapunov_readings_of_poses_clocked_f32screw *storage, lyapunov_readings_of_poses_clocked_f32screw_memory *memory);
@@ -3137,7 +3199,8 @@ typedef struct lyapunov_readings_of_poses_clocked_f64screw_parameters {
     double period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period, so that the twist may be above it. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_clocked_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_clocked_f64screw_parameters_size);
@@ -3163,7 +3226,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_memory, wor
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f64screw_init_abi(lyapunov_readings_of_poses_clocked_f64screw *storage, const lyapunov_readings_of_poses_clocked_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_clocked_f64screw_init(storage, parameters) lyapunov_readings_of_poses_clocked_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_clocked_f64screw_retune(lyapunov_readings_of_poses_clocked_f64screw *storage, const lyapunov_readings_of_poses_clocked_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f64screw_save(const lyapunov_readings_of_poses_clocked_f64screw *storage, lyapunov_readings_of_poses_clocked_f64screw_memory *memory);
@@ -3184,7 +3248,8 @@ typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw_parameters {
     float period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_measured_clocked_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_size);
@@ -3210,7 +3275,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_me
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_clocked_f32screw_init(storage, parameters) lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f32screw_retune(lyapunov_readings_of_poses_measured_clocked_f32screw *storage, const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f32screw_save(const lyapunov_readings_of_poses_measured_clocked_f32screw *storage, lyapunov_readings_of_poses_measured_clocked_f32screw_memory *memory);
@@ -3231,7 +3297,8 @@ typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw_parameters {
     double period;
     /* The fastest motion of the reference point, m/s; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
+       whole period. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_measured_clocked_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_size);
@@ -3257,7 +3324,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_me
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_readings_of_poses_measured_clocked_f64screw_init(storage, parameters) lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_readings_of_poses_measured_clocked_f64screw_retune(lyapunov_readings_of_poses_measured_clocked_f64screw *storage, const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_save(const lyapunov_readings_of_poses_measured_clocked_f64screw *storage, lyapunov_readings_of_poses_measured_clocked_f64screw_memory *memory);
@@ -3272,11 +3340,14 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_misse
 LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f64screw_restart(lyapunov_readings_of_poses_measured_clocked_f64screw *storage);
 
 /* lyapunov_popc_f32: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a
-   debt back by a damper. */
+   debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2 mJ
+   a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a sum
+   that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32_parameters) == 8, lyapunov_popc_f32_parameters_size);
@@ -3301,7 +3372,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32_memory, word) == 0, lyapunov_popc_f32
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32_init_abi(lyapunov_popc_f32 *storage, const lyapunov_popc_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32_init(storage, parameters) lyapunov_popc_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32_retune(lyapunov_popc_f32 *storage, const lyapunov_popc_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32_save(const lyapunov_popc_f32 *storage, lyapunov_popc_f32_memory *memory);
@@ -3319,11 +3391,14 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32_grant(lyapunov_popc_f32 *storage,
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32_owe(lyapunov_popc_f32 *storage, float debt);
 
 /* lyapunov_popc_f64: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a
-   debt back by a damper. */
+   debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2 mJ
+   a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a sum
+   that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64_parameters) == 16, lyapunov_popc_f64_parameters_size);
@@ -3348,7 +3423,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64_memory, word) == 0, lyapunov_popc_f64
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64_init_abi(lyapunov_popc_f64 *storage, const lyapunov_popc_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64_init(storage, parameters) lyapunov_popc_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64_retune(lyapunov_popc_f64 *storage, const lyapunov_popc_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64_save(const lyapunov_popc_f64 *storage, lyapunov_popc_f64_memory *memory);
@@ -3366,11 +3442,14 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64_grant(lyapunov_popc_f64 *storage,
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64_owe(lyapunov_popc_f64 *storage, double debt);
 
 /* lyapunov_popc_f32x3: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32x3_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32x3_parameters) == 8, lyapunov_popc_f32x3_parameters_size);
@@ -3395,7 +3474,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x3_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_init_abi(lyapunov_popc_f32x3 *storage, const lyapunov_popc_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32x3_init(storage, parameters) lyapunov_popc_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_retune(lyapunov_popc_f32x3 *storage, const lyapunov_popc_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32x3_save(const lyapunov_popc_f32x3 *storage, lyapunov_popc_f32x3_memory *memory);
@@ -3413,11 +3493,14 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_grant(lyapunov_popc_f32x3 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x3_owe(lyapunov_popc_f32x3 *storage, float debt);
 
 /* lyapunov_popc_f64x3: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64x3_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64x3_parameters) == 16, lyapunov_popc_f64x3_parameters_size);
@@ -3442,7 +3525,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x3_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_init_abi(lyapunov_popc_f64x3 *storage, const lyapunov_popc_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64x3_init(storage, parameters) lyapunov_popc_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_retune(lyapunov_popc_f64x3 *storage, const lyapunov_popc_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64x3_save(const lyapunov_popc_f64x3 *storage, lyapunov_popc_f64x3_memory *memory);
@@ -3460,11 +3544,14 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_grant(lyapunov_popc_f64x3 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x3_owe(lyapunov_popc_f64x3 *storage, double debt);
 
 /* lyapunov_popc_f32x6: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32x6_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32x6_parameters) == 8, lyapunov_popc_f32x6_parameters_size);
@@ -3489,7 +3576,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x6_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_init_abi(lyapunov_popc_f32x6 *storage, const lyapunov_popc_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32x6_init(storage, parameters) lyapunov_popc_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_retune(lyapunov_popc_f32x6 *storage, const lyapunov_popc_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32x6_save(const lyapunov_popc_f32x6 *storage, lyapunov_popc_f32x6_memory *memory);
@@ -3507,11 +3595,14 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_grant(lyapunov_popc_f32x6 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32x6_owe(lyapunov_popc_f32x6 *storage, float debt);
 
 /* lyapunov_popc_f64x6: Passivity observer/controller (Popc): sums the energy that crosses the port, and takes
-   a debt back by a damper. */
+   a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2
+   mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a
+   sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64x6_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64x6_parameters) == 16, lyapunov_popc_f64x6_parameters_size);
@@ -3536,7 +3627,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x6_memory, word) == 0, lyapunov_popc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_init_abi(lyapunov_popc_f64x6 *storage, const lyapunov_popc_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64x6_init(storage, parameters) lyapunov_popc_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_retune(lyapunov_popc_f64x6 *storage, const lyapunov_popc_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64x6_save(const lyapunov_popc_f64x6 *storage, lyapunov_popc_f64x6_memory *memory);
@@ -3554,11 +3646,14 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_grant(lyapunov_popc_f64x6 *stor
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64x6_owe(lyapunov_popc_f64x6 *storage, double debt);
 
 /* lyapunov_popc_f32screw: Passivity observer/controller (Popc): sums the energy that crosses the port, and
-   takes a debt back by a damper. */
+   takes a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at
+   0.2 mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in
+   a sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f32screw_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_popc_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32screw_parameters) == 8, lyapunov_popc_f32screw_parameters_size);
@@ -3583,7 +3678,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32screw_memory, word) == 0, lyapunov_pop
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_init_abi(lyapunov_popc_f32screw *storage, const lyapunov_popc_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f32screw_init(storage, parameters) lyapunov_popc_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_retune(lyapunov_popc_f32screw *storage, const lyapunov_popc_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f32screw_save(const lyapunov_popc_f32screw *storage, lyapunov_popc_f32screw_memory *memory);
@@ -3601,11 +3697,14 @@ LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_grant(lyapunov_popc_f32screw
 LYAPUNOV_API lyapunov_status lyapunov_popc_f32screw_owe(lyapunov_popc_f32screw *storage, float debt);
 
 /* lyapunov_popc_f64screw: Passivity observer/controller (Popc): sums the energy that crosses the port, and
-   takes a debt back by a damper. */
+   takes a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at
+   0.2 mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in
+   a sum that keeps them, or bounded_credit. */
 typedef struct lyapunov_popc_f64screw_parameters {
     /* Largest damping, N.s/m, as `damping_limit_..._of_mass` gives it; 0 only observes. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_popc_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64screw_parameters) == 16, lyapunov_popc_f64screw_parameters_size);
@@ -3630,7 +3729,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64screw_memory, word) == 0, lyapunov_pop
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64screw_init_abi(lyapunov_popc_f64screw *storage, const lyapunov_popc_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_popc_f64screw_init(storage, parameters) lyapunov_popc_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_popc_f64screw_retune(lyapunov_popc_f64screw *storage, const lyapunov_popc_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_popc_f64screw_save(const lyapunov_popc_f64screw *storage, lyapunov_popc_f64screw_memory *memory);
@@ -3653,7 +3753,8 @@ typedef struct lyapunov_lolc_f32_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32_parameters) == 12, lyapunov_lolc_f32_parameters_size);
@@ -3679,7 +3780,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32_memory, word) == 0, lyapunov_lolc_f32
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32_init_abi(lyapunov_lolc_f32 *storage, const lyapunov_lolc_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32_init(storage, parameters) lyapunov_lolc_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32_retune(lyapunov_lolc_f32 *storage, const lyapunov_lolc_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32_save(const lyapunov_lolc_f32 *storage, lyapunov_lolc_f32_memory *memory);
@@ -3702,7 +3804,8 @@ typedef struct lyapunov_lolc_f64_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64_parameters) == 24, lyapunov_lolc_f64_parameters_size);
@@ -3728,7 +3831,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64_memory, word) == 0, lyapunov_lolc_f64
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64_init_abi(lyapunov_lolc_f64 *storage, const lyapunov_lolc_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64_init(storage, parameters) lyapunov_lolc_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64_retune(lyapunov_lolc_f64 *storage, const lyapunov_lolc_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64_save(const lyapunov_lolc_f64 *storage, lyapunov_lolc_f64_memory *memory);
@@ -3751,7 +3855,8 @@ typedef struct lyapunov_lolc_f32x3_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32x3_parameters) == 12, lyapunov_lolc_f32x3_parameters_size);
@@ -3777,7 +3882,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x3_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x3_init_abi(lyapunov_lolc_f32x3 *storage, const lyapunov_lolc_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32x3_init(storage, parameters) lyapunov_lolc_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x3_retune(lyapunov_lolc_f32x3 *storage, const lyapunov_lolc_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32x3_save(const lyapunov_lolc_f32x3 *storage, lyapunov_lolc_f32x3_memory *memory);
@@ -3800,7 +3906,8 @@ typedef struct lyapunov_lolc_f64x3_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64x3_parameters) == 24, lyapunov_lolc_f64x3_parameters_size);
@@ -3826,7 +3933,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x3_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x3_init_abi(lyapunov_lolc_f64x3 *storage, const lyapunov_lolc_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64x3_init(storage, parameters) lyapunov_lolc_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x3_retune(lyapunov_lolc_f64x3 *storage, const lyapunov_lolc_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64x3_save(const lyapunov_lolc_f64x3 *storage, lyapunov_lolc_f64x3_memory *memory);
@@ -3849,7 +3957,8 @@ typedef struct lyapunov_lolc_f32x6_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32x6_parameters) == 12, lyapunov_lolc_f32x6_parameters_size);
@@ -3875,7 +3984,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x6_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x6_init_abi(lyapunov_lolc_f32x6 *storage, const lyapunov_lolc_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32x6_init(storage, parameters) lyapunov_lolc_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32x6_retune(lyapunov_lolc_f32x6 *storage, const lyapunov_lolc_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32x6_save(const lyapunov_lolc_f32x6 *storage, lyapunov_lolc_f32x6_memory *memory);
@@ -3898,7 +4008,8 @@ typedef struct lyapunov_lolc_f64x6_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64x6_parameters) == 24, lyapunov_lolc_f64x6_parameters_size);
@@ -3924,7 +4035,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x6_memory, word) == 0, lyapunov_lolc_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x6_init_abi(lyapunov_lolc_f64x6 *storage, const lyapunov_lolc_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64x6_init(storage, parameters) lyapunov_lolc_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64x6_retune(lyapunov_lolc_f64x6 *storage, const lyapunov_lolc_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64x6_save(const lyapunov_lolc_f64x6 *storage, lyapunov_lolc_f64x6_memory *memory);
@@ -3947,7 +4059,8 @@ typedef struct lyapunov_lolc_f32screw_parameters {
     float damping_limit;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f32screw_parameters) == 12, lyapunov_lolc_f32screw_parameters_size);
@@ -3973,7 +4086,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32screw_memory, word) == 0, lyapunov_lol
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32screw_init_abi(lyapunov_lolc_f32screw *storage, const lyapunov_lolc_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f32screw_init(storage, parameters) lyapunov_lolc_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f32screw_retune(lyapunov_lolc_f32screw *storage, const lyapunov_lolc_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f32screw_save(const lyapunov_lolc_f32screw *storage, lyapunov_lolc_f32screw_memory *memory);
@@ -3996,7 +4110,8 @@ typedef struct lyapunov_lolc_f64screw_parameters {
     double damping_limit;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_f64screw_parameters) == 24, lyapunov_lolc_f64screw_parameters_size);
@@ -4022,7 +4137,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64screw_memory, word) == 0, lyapunov_lol
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64screw_init_abi(lyapunov_lolc_f64screw *storage, const lyapunov_lolc_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_f64screw_init(storage, parameters) lyapunov_lolc_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_f64screw_retune(lyapunov_lolc_f64screw *storage, const lyapunov_lolc_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_f64screw_save(const lyapunov_lolc_f64screw *storage, lyapunov_lolc_f64screw_memory *memory);
@@ -4045,7 +4161,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_f64screw_owe(lyapunov_lolc_f64screw *
 typedef struct lyapunov_lolc_custom_f32_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32_parameters) == 8, lyapunov_lolc_custom_f32_parameters_size);
@@ -4070,7 +4187,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32_memory, word) == 0, lyapunov_l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32_init_abi(lyapunov_lolc_custom_f32 *storage, const lyapunov_lolc_custom_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32_init(storage, parameters) lyapunov_lolc_custom_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32_retune(lyapunov_lolc_custom_f32 *storage, const lyapunov_lolc_custom_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32_save(const lyapunov_lolc_custom_f32 *storage, lyapunov_lolc_custom_f32_memory *memory);
@@ -4094,7 +4212,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32_owe(lyapunov_lolc_custom_f
 typedef struct lyapunov_lolc_custom_f64_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64_parameters) == 16, lyapunov_lolc_custom_f64_parameters_size);
@@ -4119,7 +4238,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64_memory, word) == 0, lyapunov_l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64_init_abi(lyapunov_lolc_custom_f64 *storage, const lyapunov_lolc_custom_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64_init(storage, parameters) lyapunov_lolc_custom_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64_retune(lyapunov_lolc_custom_f64 *storage, const lyapunov_lolc_custom_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64_save(const lyapunov_lolc_custom_f64 *storage, lyapunov_lolc_custom_f64_memory *memory);
@@ -4143,7 +4263,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64_owe(lyapunov_lolc_custom_f
 typedef struct lyapunov_lolc_custom_f32x3_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32x3_parameters) == 8, lyapunov_lolc_custom_f32x3_parameters_size);
@@ -4168,7 +4289,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x3_init_abi(lyapunov_lolc_custom_f32x3 *storage, const lyapunov_lolc_custom_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32x3_init(storage, parameters) lyapunov_lolc_custom_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x3_retune(lyapunov_lolc_custom_f32x3 *storage, const lyapunov_lolc_custom_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32x3_save(const lyapunov_lolc_custom_f32x3 *storage, lyapunov_lolc_custom_f32x3_memory *memory);
@@ -4192,7 +4314,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x3_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f64x3_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64x3_parameters) == 16, lyapunov_lolc_custom_f64x3_parameters_size);
@@ -4217,7 +4340,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x3_init_abi(lyapunov_lolc_custom_f64x3 *storage, const lyapunov_lolc_custom_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64x3_init(storage, parameters) lyapunov_lolc_custom_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x3_retune(lyapunov_lolc_custom_f64x3 *storage, const lyapunov_lolc_custom_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64x3_save(const lyapunov_lolc_custom_f64x3 *storage, lyapunov_lolc_custom_f64x3_memory *memory);
@@ -4241,7 +4365,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x3_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f32x6_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32x6_parameters) == 8, lyapunov_lolc_custom_f32x6_parameters_size);
@@ -4266,7 +4391,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x6_init_abi(lyapunov_lolc_custom_f32x6 *storage, const lyapunov_lolc_custom_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32x6_init(storage, parameters) lyapunov_lolc_custom_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x6_retune(lyapunov_lolc_custom_f32x6 *storage, const lyapunov_lolc_custom_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32x6_save(const lyapunov_lolc_custom_f32x6 *storage, lyapunov_lolc_custom_f32x6_memory *memory);
@@ -4290,7 +4416,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32x6_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f64x6_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64x6_parameters) == 16, lyapunov_lolc_custom_f64x6_parameters_size);
@@ -4315,7 +4442,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x6_init_abi(lyapunov_lolc_custom_f64x6 *storage, const lyapunov_lolc_custom_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64x6_init(storage, parameters) lyapunov_lolc_custom_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x6_retune(lyapunov_lolc_custom_f64x6 *storage, const lyapunov_lolc_custom_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64x6_save(const lyapunov_lolc_custom_f64x6 *storage, lyapunov_lolc_custom_f64x6_memory *memory);
@@ -4339,7 +4467,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64x6_owe(lyapunov_lolc_custom
 typedef struct lyapunov_lolc_custom_f32screw_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_custom_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32screw_parameters) == 8, lyapunov_lolc_custom_f32screw_parameters_size);
@@ -4364,7 +4493,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32screw_init_abi(lyapunov_lolc_custom_f32screw *storage, const lyapunov_lolc_custom_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f32screw_init(storage, parameters) lyapunov_lolc_custom_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32screw_retune(lyapunov_lolc_custom_f32screw *storage, const lyapunov_lolc_custom_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f32screw_save(const lyapunov_lolc_custom_f32screw *storage, lyapunov_lolc_custom_f32screw_memory *memory);
@@ -4388,7 +4518,8 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f32screw_owe(lyapunov_lolc_cus
 typedef struct lyapunov_lolc_custom_f64screw_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_custom_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64screw_parameters) == 16, lyapunov_lolc_custom_f64screw_parameters_size);
@@ -4413,7 +4544,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64screw_init_abi(lyapunov_lolc_custom_f64screw *storage, const lyapunov_lolc_custom_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_custom_f64screw_init(storage, parameters) lyapunov_lolc_custom_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64screw_retune(lyapunov_lolc_custom_f64screw *storage, const lyapunov_lolc_custom_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_custom_f64screw_save(const lyapunov_lolc_custom_f64screw *storage, lyapunov_lolc_custom_f64screw_memory *memory);
@@ -4437,7 +4569,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64screw_owe(lyapunov_lolc_cus
 typedef struct lyapunov_lolc_storage_f32_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32_parameters) == 8, lyapunov_lolc_storage_f32_parameters_size);
@@ -4462,7 +4594,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32_init_abi(lyapunov_lolc_storage_f32 *storage, const lyapunov_lolc_storage_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32_init(storage, parameters) lyapunov_lolc_storage_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32_retune(lyapunov_lolc_storage_f32 *storage, const lyapunov_lolc_storage_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32_save(const lyapunov_lolc_storage_f32 *storage, lyapunov_lolc_storage_f32_memory *memory);
@@ -4486,7 +4619,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32_owe(lyapunov_lolc_storage
 typedef struct lyapunov_lolc_storage_f64_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64_parameters) == 16, lyapunov_lolc_storage_f64_parameters_size);
@@ -4511,7 +4644,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64_init_abi(lyapunov_lolc_storage_f64 *storage, const lyapunov_lolc_storage_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64_init(storage, parameters) lyapunov_lolc_storage_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64_retune(lyapunov_lolc_storage_f64 *storage, const lyapunov_lolc_storage_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64_save(const lyapunov_lolc_storage_f64 *storage, lyapunov_lolc_storage_f64_memory *memory);
@@ -4535,7 +4669,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64_owe(lyapunov_lolc_storage
 typedef struct lyapunov_lolc_storage_f32x3_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x3_parameters) == 8, lyapunov_lolc_storage_f32x3_parameters_size);
@@ -4560,7 +4694,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x3_init_abi(lyapunov_lolc_storage_f32x3 *storage, const lyapunov_lolc_storage_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32x3_init(storage, parameters) lyapunov_lolc_storage_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x3_retune(lyapunov_lolc_storage_f32x3 *storage, const lyapunov_lolc_storage_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32x3_save(const lyapunov_lolc_storage_f32x3 *storage, lyapunov_lolc_storage_f32x3_memory *memory);
@@ -4584,7 +4719,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x3_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f64x3_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x3_parameters) == 16, lyapunov_lolc_storage_f64x3_parameters_size);
@@ -4609,7 +4744,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x3_init_abi(lyapunov_lolc_storage_f64x3 *storage, const lyapunov_lolc_storage_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64x3_init(storage, parameters) lyapunov_lolc_storage_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x3_retune(lyapunov_lolc_storage_f64x3 *storage, const lyapunov_lolc_storage_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64x3_save(const lyapunov_lolc_storage_f64x3 *storage, lyapunov_lolc_storage_f64x3_memory *memory);
@@ -4633,7 +4769,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x3_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f32x6_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x6_parameters) == 8, lyapunov_lolc_storage_f32x6_parameters_size);
@@ -4658,7 +4794,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x6_init_abi(lyapunov_lolc_storage_f32x6 *storage, const lyapunov_lolc_storage_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32x6_init(storage, parameters) lyapunov_lolc_storage_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x6_retune(lyapunov_lolc_storage_f32x6 *storage, const lyapunov_lolc_storage_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32x6_save(const lyapunov_lolc_storage_f32x6 *storage, lyapunov_lolc_storage_f32x6_memory *memory);
@@ -4682,7 +4819,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x6_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f64x6_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x6_parameters) == 16, lyapunov_lolc_storage_f64x6_parameters_size);
@@ -4707,7 +4844,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x6_init_abi(lyapunov_lolc_storage_f64x6 *storage, const lyapunov_lolc_storage_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64x6_init(storage, parameters) lyapunov_lolc_storage_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x6_retune(lyapunov_lolc_storage_f64x6 *storage, const lyapunov_lolc_storage_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64x6_save(const lyapunov_lolc_storage_f64x6 *storage, lyapunov_lolc_storage_f64x6_memory *memory);
@@ -4731,7 +4869,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x6_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f32screw_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32screw_parameters) == 8, lyapunov_lolc_storage_f32screw_parameters_size);
@@ -4756,7 +4894,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32screw_init_abi(lyapunov_lolc_storage_f32screw *storage, const lyapunov_lolc_storage_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f32screw_init(storage, parameters) lyapunov_lolc_storage_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32screw_retune(lyapunov_lolc_storage_f32screw *storage, const lyapunov_lolc_storage_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f32screw_save(const lyapunov_lolc_storage_f32screw *storage, lyapunov_lolc_storage_f32screw_memory *memory);
@@ -4780,7 +4919,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32screw_owe(lyapunov_lolc_st
 typedef struct lyapunov_lolc_storage_f64screw_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J. */
+    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64screw_parameters) == 16, lyapunov_lolc_storage_f64screw_parameters_size);
@@ -4805,7 +4944,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64screw_init_abi(lyapunov_lolc_storage_f64screw *storage, const lyapunov_lolc_storage_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_storage_f64screw_init(storage, parameters) lyapunov_lolc_storage_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64screw_retune(lyapunov_lolc_storage_f64screw *storage, const lyapunov_lolc_storage_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_storage_f64screw_save(const lyapunov_lolc_storage_f64screw *storage, lyapunov_lolc_storage_f64screw_memory *memory);
@@ -4833,7 +4973,8 @@ typedef struct lyapunov_lolc_in_contact_f32_parameters {
     float wall_damping;
     /* Position of the wall's surface, m; contact is beyond it. */
     float surface;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_lolc_in_contact_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_in_contact_f32_parameters) == 16, lyapunov_lolc_in_contact_f32_parameters_size);
@@ -4860,7 +5001,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f32_init_abi(lyapunov_lolc_in_contact_f32 *storage, const lyapunov_lolc_in_contact_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_in_contact_f32_init(storage, parameters) lyapunov_lolc_in_contact_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f32_retune(lyapunov_lolc_in_contact_f32 *storage, const lyapunov_lolc_in_contact_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_in_contact_f32_save(const lyapunov_lolc_in_contact_f32 *storage, lyapunov_lolc_in_contact_f32_memory *memory);
@@ -4887,7 +5029,8 @@ typedef struct lyapunov_lolc_in_contact_f64_parameters {
     double wall_damping;
     /* Position of the wall's surface, m; contact is beyond it. */
     double surface;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_lolc_in_contact_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_in_contact_f64_parameters) == 32, lyapunov_lolc_in_contact_f64_parameters_size);
@@ -4914,7 +5057,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f64_init_abi(lyapunov_lolc_in_contact_f64 *storage, const lyapunov_lolc_in_contact_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_in_contact_f64_init(storage, parameters) lyapunov_lolc_in_contact_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_in_contact_f64_retune(lyapunov_lolc_in_contact_f64 *storage, const lyapunov_lolc_in_contact_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_in_contact_f64_save(const lyapunov_lolc_in_contact_f64 *storage, lyapunov_lolc_in_contact_f64_memory *memory);
@@ -4958,7 +5102,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32_init_abi(lyapunov_lolc_sampled_f32 *storage, const lyapunov_lolc_sampled_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32_init(storage, parameters) lyapunov_lolc_sampled_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32_retune(lyapunov_lolc_sampled_f32 *storage, const lyapunov_lolc_sampled_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32_save(const lyapunov_lolc_sampled_f32 *storage, lyapunov_lolc_sampled_f32_memory *memory);
@@ -5002,7 +5147,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64_init_abi(lyapunov_lolc_sampled_f64 *storage, const lyapunov_lolc_sampled_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64_init(storage, parameters) lyapunov_lolc_sampled_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64_retune(lyapunov_lolc_sampled_f64 *storage, const lyapunov_lolc_sampled_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64_save(const lyapunov_lolc_sampled_f64 *storage, lyapunov_lolc_sampled_f64_memory *memory);
@@ -5046,7 +5192,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x3_init_abi(lyapunov_lolc_sampled_f32x3 *storage, const lyapunov_lolc_sampled_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32x3_init(storage, parameters) lyapunov_lolc_sampled_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x3_retune(lyapunov_lolc_sampled_f32x3 *storage, const lyapunov_lolc_sampled_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32x3_save(const lyapunov_lolc_sampled_f32x3 *storage, lyapunov_lolc_sampled_f32x3_memory *memory);
@@ -5090,7 +5237,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x3_init_abi(lyapunov_lolc_sampled_f64x3 *storage, const lyapunov_lolc_sampled_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64x3_init(storage, parameters) lyapunov_lolc_sampled_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x3_retune(lyapunov_lolc_sampled_f64x3 *storage, const lyapunov_lolc_sampled_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64x3_save(const lyapunov_lolc_sampled_f64x3 *storage, lyapunov_lolc_sampled_f64x3_memory *memory);
@@ -5134,7 +5282,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x6_init_abi(lyapunov_lolc_sampled_f32x6 *storage, const lyapunov_lolc_sampled_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32x6_init(storage, parameters) lyapunov_lolc_sampled_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32x6_retune(lyapunov_lolc_sampled_f32x6 *storage, const lyapunov_lolc_sampled_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32x6_save(const lyapunov_lolc_sampled_f32x6 *storage, lyapunov_lolc_sampled_f32x6_memory *memory);
@@ -5178,7 +5327,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x6_init_abi(lyapunov_lolc_sampled_f64x6 *storage, const lyapunov_lolc_sampled_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64x6_init(storage, parameters) lyapunov_lolc_sampled_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64x6_retune(lyapunov_lolc_sampled_f64x6 *storage, const lyapunov_lolc_sampled_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64x6_save(const lyapunov_lolc_sampled_f64x6 *storage, lyapunov_lolc_sampled_f64x6_memory *memory);
@@ -5223,7 +5373,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32screw_init_abi(lyapunov_lolc_sampled_f32screw *storage, const lyapunov_lolc_sampled_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f32screw_init(storage, parameters) lyapunov_lolc_sampled_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f32screw_retune(lyapunov_lolc_sampled_f32screw *storage, const lyapunov_lolc_sampled_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f32screw_save(const lyapunov_lolc_sampled_f32screw *storage, lyapunov_lolc_sampled_f32screw_memory *memory);
@@ -5268,7 +5419,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64screw_init_abi(lyapunov_lolc_sampled_f64screw *storage, const lyapunov_lolc_sampled_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_sampled_f64screw_init(storage, parameters) lyapunov_lolc_sampled_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_sampled_f64screw_retune(lyapunov_lolc_sampled_f64screw *storage, const lyapunov_lolc_sampled_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_sampled_f64screw_save(const lyapunov_lolc_sampled_f64screw *storage, lyapunov_lolc_sampled_f64screw_memory *memory);
@@ -5312,7 +5464,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32_init_abi(lyapunov_lolc_compensated_f32 *storage, const lyapunov_lolc_compensated_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32_init(storage, parameters) lyapunov_lolc_compensated_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32_retune(lyapunov_lolc_compensated_f32 *storage, const lyapunov_lolc_compensated_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32_save(const lyapunov_lolc_compensated_f32 *storage, lyapunov_lolc_compensated_f32_memory *memory);
@@ -5356,7 +5509,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64_init_abi(lyapunov_lolc_compensated_f64 *storage, const lyapunov_lolc_compensated_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64_init(storage, parameters) lyapunov_lolc_compensated_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64_retune(lyapunov_lolc_compensated_f64 *storage, const lyapunov_lolc_compensated_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64_save(const lyapunov_lolc_compensated_f64 *storage, lyapunov_lolc_compensated_f64_memory *memory);
@@ -5400,7 +5554,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x3_init_abi(lyapunov_lolc_compensated_f32x3 *storage, const lyapunov_lolc_compensated_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32x3_init(storage, parameters) lyapunov_lolc_compensated_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x3_retune(lyapunov_lolc_compensated_f32x3 *storage, const lyapunov_lolc_compensated_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32x3_save(const lyapunov_lolc_compensated_f32x3 *storage, lyapunov_lolc_compensated_f32x3_memory *memory);
@@ -5444,7 +5599,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64x3_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x3_init_abi(lyapunov_lolc_compensated_f64x3 *storage, const lyapunov_lolc_compensated_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64x3_init(storage, parameters) lyapunov_lolc_compensated_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x3_retune(lyapunov_lolc_compensated_f64x3 *storage, const lyapunov_lolc_compensated_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64x3_save(const lyapunov_lolc_compensated_f64x3 *storage, lyapunov_lolc_compensated_f64x3_memory *memory);
@@ -5488,7 +5644,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x6_init_abi(lyapunov_lolc_compensated_f32x6 *storage, const lyapunov_lolc_compensated_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32x6_init(storage, parameters) lyapunov_lolc_compensated_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32x6_retune(lyapunov_lolc_compensated_f32x6 *storage, const lyapunov_lolc_compensated_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32x6_save(const lyapunov_lolc_compensated_f32x6 *storage, lyapunov_lolc_compensated_f32x6_memory *memory);
@@ -5532,7 +5689,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64x6_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x6_init_abi(lyapunov_lolc_compensated_f64x6 *storage, const lyapunov_lolc_compensated_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64x6_init(storage, parameters) lyapunov_lolc_compensated_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64x6_retune(lyapunov_lolc_compensated_f64x6 *storage, const lyapunov_lolc_compensated_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64x6_save(const lyapunov_lolc_compensated_f64x6 *storage, lyapunov_lolc_compensated_f64x6_memory *memory);
@@ -5576,7 +5734,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32screw_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32screw_init_abi(lyapunov_lolc_compensated_f32screw *storage, const lyapunov_lolc_compensated_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f32screw_init(storage, parameters) lyapunov_lolc_compensated_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f32screw_retune(lyapunov_lolc_compensated_f32screw *storage, const lyapunov_lolc_compensated_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f32screw_save(const lyapunov_lolc_compensated_f32screw *storage, lyapunov_lolc_compensated_f32screw_memory *memory);
@@ -5620,7 +5779,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64screw_memory, word) == 0, 
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64screw_init_abi(lyapunov_lolc_compensated_f64screw *storage, const lyapunov_lolc_compensated_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_lolc_compensated_f64screw_init(storage, parameters) lyapunov_lolc_compensated_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_lolc_compensated_f64screw_retune(lyapunov_lolc_compensated_f64screw *storage, const lyapunov_lolc_compensated_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_lolc_compensated_f64screw_save(const lyapunov_lolc_compensated_f64screw *storage, lyapunov_lolc_compensated_f64screw_memory *memory);
@@ -5666,7 +5826,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32_init_abi(lyapunov_bounded_credit_f32 *storage, const lyapunov_bounded_credit_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32_init(storage, parameters) lyapunov_bounded_credit_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32_retune(lyapunov_bounded_credit_f32 *storage, const lyapunov_bounded_credit_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32_save(const lyapunov_bounded_credit_f32 *storage, lyapunov_bounded_credit_f32_memory *memory);
@@ -5712,7 +5873,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64_init_abi(lyapunov_bounded_credit_f64 *storage, const lyapunov_bounded_credit_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64_init(storage, parameters) lyapunov_bounded_credit_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64_retune(lyapunov_bounded_credit_f64 *storage, const lyapunov_bounded_credit_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64_save(const lyapunov_bounded_credit_f64 *storage, lyapunov_bounded_credit_f64_memory *memory);
@@ -5758,7 +5920,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x3_init_abi(lyapunov_bounded_credit_f32x3 *storage, const lyapunov_bounded_credit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32x3_init(storage, parameters) lyapunov_bounded_credit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x3_retune(lyapunov_bounded_credit_f32x3 *storage, const lyapunov_bounded_credit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32x3_save(const lyapunov_bounded_credit_f32x3 *storage, lyapunov_bounded_credit_f32x3_memory *memory);
@@ -5804,7 +5967,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x3_init_abi(lyapunov_bounded_credit_f64x3 *storage, const lyapunov_bounded_credit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64x3_init(storage, parameters) lyapunov_bounded_credit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x3_retune(lyapunov_bounded_credit_f64x3 *storage, const lyapunov_bounded_credit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64x3_save(const lyapunov_bounded_credit_f64x3 *storage, lyapunov_bounded_credit_f64x3_memory *memory);
@@ -5850,7 +6014,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x6_init_abi(lyapunov_bounded_credit_f32x6 *storage, const lyapunov_bounded_credit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32x6_init(storage, parameters) lyapunov_bounded_credit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32x6_retune(lyapunov_bounded_credit_f32x6 *storage, const lyapunov_bounded_credit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32x6_save(const lyapunov_bounded_credit_f32x6 *storage, lyapunov_bounded_credit_f32x6_memory *memory);
@@ -5896,7 +6061,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x6_init_abi(lyapunov_bounded_credit_f64x6 *storage, const lyapunov_bounded_credit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64x6_init(storage, parameters) lyapunov_bounded_credit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64x6_retune(lyapunov_bounded_credit_f64x6 *storage, const lyapunov_bounded_credit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64x6_save(const lyapunov_bounded_credit_f64x6 *storage, lyapunov_bounded_credit_f64x6_memory *memory);
@@ -5942,7 +6108,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32screw_init_abi(lyapunov_bounded_credit_f32screw *storage, const lyapunov_bounded_credit_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f32screw_init(storage, parameters) lyapunov_bounded_credit_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f32screw_retune(lyapunov_bounded_credit_f32screw *storage, const lyapunov_bounded_credit_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f32screw_save(const lyapunov_bounded_credit_f32screw *storage, lyapunov_bounded_credit_f32screw_memory *memory);
@@ -5988,7 +6155,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64screw_init_abi(lyapunov_bounded_credit_f64screw *storage, const lyapunov_bounded_credit_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_bounded_credit_f64screw_init(storage, parameters) lyapunov_bounded_credit_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_bounded_credit_f64screw_retune(lyapunov_bounded_credit_f64screw *storage, const lyapunov_bounded_credit_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_bounded_credit_f64screw_save(const lyapunov_bounded_credit_f64screw *storage, lyapunov_bounded_credit_f64screw_memory *memory);
@@ -6035,7 +6203,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32_init_abi(lyapunov_windowed_credit_f32 *storage, const lyapunov_windowed_credit_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32_init(storage, parameters) lyapunov_windowed_credit_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32_retune(lyapunov_windowed_credit_f32 *storage, const lyapunov_windowed_credit_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32_save(const lyapunov_windowed_credit_f32 *storage, lyapunov_windowed_credit_f32_memory *memory);
@@ -6082,7 +6251,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64_init_abi(lyapunov_windowed_credit_f64 *storage, const lyapunov_windowed_credit_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64_init(storage, parameters) lyapunov_windowed_credit_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64_retune(lyapunov_windowed_credit_f64 *storage, const lyapunov_windowed_credit_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64_save(const lyapunov_windowed_credit_f64 *storage, lyapunov_windowed_credit_f64_memory *memory);
@@ -6129,7 +6299,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x3_init_abi(lyapunov_windowed_credit_f32x3 *storage, const lyapunov_windowed_credit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32x3_init(storage, parameters) lyapunov_windowed_credit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x3_retune(lyapunov_windowed_credit_f32x3 *storage, const lyapunov_windowed_credit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32x3_save(const lyapunov_windowed_credit_f32x3 *storage, lyapunov_windowed_credit_f32x3_memory *memory);
@@ -6176,7 +6347,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x3_init_abi(lyapunov_windowed_credit_f64x3 *storage, const lyapunov_windowed_credit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64x3_init(storage, parameters) lyapunov_windowed_credit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x3_retune(lyapunov_windowed_credit_f64x3 *storage, const lyapunov_windowed_credit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64x3_save(const lyapunov_windowed_credit_f64x3 *storage, lyapunov_windowed_credit_f64x3_memory *memory);
@@ -6223,7 +6395,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x6_init_abi(lyapunov_windowed_credit_f32x6 *storage, const lyapunov_windowed_credit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32x6_init(storage, parameters) lyapunov_windowed_credit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32x6_retune(lyapunov_windowed_credit_f32x6 *storage, const lyapunov_windowed_credit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32x6_save(const lyapunov_windowed_credit_f32x6 *storage, lyapunov_windowed_credit_f32x6_memory *memory);
@@ -6270,7 +6443,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x6_init_abi(lyapunov_windowed_credit_f64x6 *storage, const lyapunov_windowed_credit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64x6_init(storage, parameters) lyapunov_windowed_credit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64x6_retune(lyapunov_windowed_credit_f64x6 *storage, const lyapunov_windowed_credit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64x6_save(const lyapunov_windowed_credit_f64x6 *storage, lyapunov_windowed_credit_f64x6_memory *memory);
@@ -6317,7 +6491,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32screw_init_abi(lyapunov_windowed_credit_f32screw *storage, const lyapunov_windowed_credit_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f32screw_init(storage, parameters) lyapunov_windowed_credit_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f32screw_retune(lyapunov_windowed_credit_f32screw *storage, const lyapunov_windowed_credit_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f32screw_save(const lyapunov_windowed_credit_f32screw *storage, lyapunov_windowed_credit_f32screw_memory *memory);
@@ -6364,7 +6539,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64screw_init_abi(lyapunov_windowed_credit_f64screw *storage, const lyapunov_windowed_credit_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_windowed_credit_f64screw_init(storage, parameters) lyapunov_windowed_credit_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_windowed_credit_f64screw_retune(lyapunov_windowed_credit_f64screw *storage, const lyapunov_windowed_credit_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_windowed_credit_f64screw_save(const lyapunov_windowed_credit_f64screw *storage, lyapunov_windowed_credit_f64screw_memory *memory);
@@ -6411,7 +6587,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f32_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f32_init_abi(lyapunov_contact_reset_f32 *storage, const lyapunov_contact_reset_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_contact_reset_f32_init(storage, parameters) lyapunov_contact_reset_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f32_retune(lyapunov_contact_reset_f32 *storage, const lyapunov_contact_reset_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_contact_reset_f32_save(const lyapunov_contact_reset_f32 *storage, lyapunov_contact_reset_f32_memory *memory);
@@ -6458,7 +6635,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f64_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f64_init_abi(lyapunov_contact_reset_f64 *storage, const lyapunov_contact_reset_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_contact_reset_f64_init(storage, parameters) lyapunov_contact_reset_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_contact_reset_f64_retune(lyapunov_contact_reset_f64 *storage, const lyapunov_contact_reset_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_contact_reset_f64_save(const lyapunov_contact_reset_f64 *storage, lyapunov_contact_reset_f64_memory *memory);
@@ -6504,7 +6682,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32_init_abi(lyapunov_velocity_threshold_f32 *storage, const lyapunov_velocity_threshold_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32_init(storage, parameters) lyapunov_velocity_threshold_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32_retune(lyapunov_velocity_threshold_f32 *storage, const lyapunov_velocity_threshold_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32_save(const lyapunov_velocity_threshold_f32 *storage, lyapunov_velocity_threshold_f32_memory *memory);
@@ -6550,7 +6729,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64_init_abi(lyapunov_velocity_threshold_f64 *storage, const lyapunov_velocity_threshold_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64_init(storage, parameters) lyapunov_velocity_threshold_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64_retune(lyapunov_velocity_threshold_f64 *storage, const lyapunov_velocity_threshold_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64_save(const lyapunov_velocity_threshold_f64 *storage, lyapunov_velocity_threshold_f64_memory *memory);
@@ -6596,7 +6776,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x3_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x3_init_abi(lyapunov_velocity_threshold_f32x3 *storage, const lyapunov_velocity_threshold_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32x3_init(storage, parameters) lyapunov_velocity_threshold_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x3_retune(lyapunov_velocity_threshold_f32x3 *storage, const lyapunov_velocity_threshold_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32x3_save(const lyapunov_velocity_threshold_f32x3 *storage, lyapunov_velocity_threshold_f32x3_memory *memory);
@@ -6642,7 +6823,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x3_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x3_init_abi(lyapunov_velocity_threshold_f64x3 *storage, const lyapunov_velocity_threshold_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64x3_init(storage, parameters) lyapunov_velocity_threshold_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x3_retune(lyapunov_velocity_threshold_f64x3 *storage, const lyapunov_velocity_threshold_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64x3_save(const lyapunov_velocity_threshold_f64x3 *storage, lyapunov_velocity_threshold_f64x3_memory *memory);
@@ -6688,7 +6870,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x6_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x6_init_abi(lyapunov_velocity_threshold_f32x6 *storage, const lyapunov_velocity_threshold_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32x6_init(storage, parameters) lyapunov_velocity_threshold_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32x6_retune(lyapunov_velocity_threshold_f32x6 *storage, const lyapunov_velocity_threshold_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32x6_save(const lyapunov_velocity_threshold_f32x6 *storage, lyapunov_velocity_threshold_f32x6_memory *memory);
@@ -6734,7 +6917,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x6_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x6_init_abi(lyapunov_velocity_threshold_f64x6 *storage, const lyapunov_velocity_threshold_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64x6_init(storage, parameters) lyapunov_velocity_threshold_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64x6_retune(lyapunov_velocity_threshold_f64x6 *storage, const lyapunov_velocity_threshold_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64x6_save(const lyapunov_velocity_threshold_f64x6 *storage, lyapunov_velocity_threshold_f64x6_memory *memory);
@@ -6780,7 +6964,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32screw_memory, word) == 0
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32screw_init_abi(lyapunov_velocity_threshold_f32screw *storage, const lyapunov_velocity_threshold_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f32screw_init(storage, parameters) lyapunov_velocity_threshold_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f32screw_retune(lyapunov_velocity_threshold_f32screw *storage, const lyapunov_velocity_threshold_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f32screw_save(const lyapunov_velocity_threshold_f32screw *storage, lyapunov_velocity_threshold_f32screw_memory *memory);
@@ -6826,7 +7011,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64screw_memory, word) == 0
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64screw_init_abi(lyapunov_velocity_threshold_f64screw *storage, const lyapunov_velocity_threshold_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_velocity_threshold_f64screw_init(storage, parameters) lyapunov_velocity_threshold_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_velocity_threshold_f64screw_retune(lyapunov_velocity_threshold_f64screw *storage, const lyapunov_velocity_threshold_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_velocity_threshold_f64screw_save(const lyapunov_velocity_threshold_f64screw *storage, lyapunov_velocity_threshold_f64screw_memory *memory);
@@ -6872,7 +7058,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32_memory, word) == 0, lyapunov_spread
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32_init_abi(lyapunov_spread_f32 *storage, const lyapunov_spread_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32_init(storage, parameters) lyapunov_spread_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32_retune(lyapunov_spread_f32 *storage, const lyapunov_spread_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32_save(const lyapunov_spread_f32 *storage, lyapunov_spread_f32_memory *memory);
@@ -6918,7 +7105,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64_memory, word) == 0, lyapunov_spread
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64_init_abi(lyapunov_spread_f64 *storage, const lyapunov_spread_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64_init(storage, parameters) lyapunov_spread_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64_retune(lyapunov_spread_f64 *storage, const lyapunov_spread_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64_save(const lyapunov_spread_f64 *storage, lyapunov_spread_f64_memory *memory);
@@ -6964,7 +7152,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x3_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x3_init_abi(lyapunov_spread_f32x3 *storage, const lyapunov_spread_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32x3_init(storage, parameters) lyapunov_spread_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x3_retune(lyapunov_spread_f32x3 *storage, const lyapunov_spread_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32x3_save(const lyapunov_spread_f32x3 *storage, lyapunov_spread_f32x3_memory *memory);
@@ -7010,7 +7199,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x3_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x3_init_abi(lyapunov_spread_f64x3 *storage, const lyapunov_spread_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64x3_init(storage, parameters) lyapunov_spread_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x3_retune(lyapunov_spread_f64x3 *storage, const lyapunov_spread_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64x3_save(const lyapunov_spread_f64x3 *storage, lyapunov_spread_f64x3_memory *memory);
@@ -7056,7 +7246,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x6_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x6_init_abi(lyapunov_spread_f32x6 *storage, const lyapunov_spread_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32x6_init(storage, parameters) lyapunov_spread_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32x6_retune(lyapunov_spread_f32x6 *storage, const lyapunov_spread_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32x6_save(const lyapunov_spread_f32x6 *storage, lyapunov_spread_f32x6_memory *memory);
@@ -7102,7 +7293,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x6_memory, word) == 0, lyapunov_spre
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x6_init_abi(lyapunov_spread_f64x6 *storage, const lyapunov_spread_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64x6_init(storage, parameters) lyapunov_spread_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64x6_retune(lyapunov_spread_f64x6 *storage, const lyapunov_spread_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64x6_save(const lyapunov_spread_f64x6 *storage, lyapunov_spread_f64x6_memory *memory);
@@ -7148,7 +7340,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32screw_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32screw_init_abi(lyapunov_spread_f32screw *storage, const lyapunov_spread_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f32screw_init(storage, parameters) lyapunov_spread_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f32screw_retune(lyapunov_spread_f32screw *storage, const lyapunov_spread_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f32screw_save(const lyapunov_spread_f32screw *storage, lyapunov_spread_f32screw_memory *memory);
@@ -7194,7 +7387,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64screw_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64screw_init_abi(lyapunov_spread_f64screw *storage, const lyapunov_spread_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_spread_f64screw_init(storage, parameters) lyapunov_spread_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_spread_f64screw_retune(lyapunov_spread_f64screw *storage, const lyapunov_spread_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_spread_f64screw_save(const lyapunov_spread_f64screw *storage, lyapunov_spread_f64screw_memory *memory);
@@ -7240,7 +7434,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32_memory, word) == 0, lyapunov_so
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32_init_abi(lyapunov_soft_start_f32 *storage, const lyapunov_soft_start_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32_init(storage, parameters) lyapunov_soft_start_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32_retune(lyapunov_soft_start_f32 *storage, const lyapunov_soft_start_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32_save(const lyapunov_soft_start_f32 *storage, lyapunov_soft_start_f32_memory *memory);
@@ -7286,7 +7481,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64_memory, word) == 0, lyapunov_so
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64_init_abi(lyapunov_soft_start_f64 *storage, const lyapunov_soft_start_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64_init(storage, parameters) lyapunov_soft_start_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64_retune(lyapunov_soft_start_f64 *storage, const lyapunov_soft_start_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64_save(const lyapunov_soft_start_f64 *storage, lyapunov_soft_start_f64_memory *memory);
@@ -7332,7 +7528,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x3_init_abi(lyapunov_soft_start_f32x3 *storage, const lyapunov_soft_start_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32x3_init(storage, parameters) lyapunov_soft_start_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x3_retune(lyapunov_soft_start_f32x3 *storage, const lyapunov_soft_start_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32x3_save(const lyapunov_soft_start_f32x3 *storage, lyapunov_soft_start_f32x3_memory *memory);
@@ -7378,7 +7575,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x3_init_abi(lyapunov_soft_start_f64x3 *storage, const lyapunov_soft_start_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64x3_init(storage, parameters) lyapunov_soft_start_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x3_retune(lyapunov_soft_start_f64x3 *storage, const lyapunov_soft_start_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64x3_save(const lyapunov_soft_start_f64x3 *storage, lyapunov_soft_start_f64x3_memory *memory);
@@ -7424,7 +7622,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x6_init_abi(lyapunov_soft_start_f32x6 *storage, const lyapunov_soft_start_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32x6_init(storage, parameters) lyapunov_soft_start_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32x6_retune(lyapunov_soft_start_f32x6 *storage, const lyapunov_soft_start_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32x6_save(const lyapunov_soft_start_f32x6 *storage, lyapunov_soft_start_f32x6_memory *memory);
@@ -7470,7 +7669,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x6_init_abi(lyapunov_soft_start_f64x6 *storage, const lyapunov_soft_start_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64x6_init(storage, parameters) lyapunov_soft_start_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64x6_retune(lyapunov_soft_start_f64x6 *storage, const lyapunov_soft_start_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64x6_save(const lyapunov_soft_start_f64x6 *storage, lyapunov_soft_start_f64x6_memory *memory);
@@ -7517,7 +7717,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32screw_init_abi(lyapunov_soft_start_f32screw *storage, const lyapunov_soft_start_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f32screw_init(storage, parameters) lyapunov_soft_start_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f32screw_retune(lyapunov_soft_start_f32screw *storage, const lyapunov_soft_start_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f32screw_save(const lyapunov_soft_start_f32screw *storage, lyapunov_soft_start_f32screw_memory *memory);
@@ -7564,7 +7765,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64screw_init_abi(lyapunov_soft_start_f64screw *storage, const lyapunov_soft_start_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_soft_start_f64screw_init(storage, parameters) lyapunov_soft_start_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_soft_start_f64screw_retune(lyapunov_soft_start_f64screw *storage, const lyapunov_soft_start_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_soft_start_f64screw_save(const lyapunov_soft_start_f64screw *storage, lyapunov_soft_start_f64screw_memory *memory);
@@ -7610,7 +7812,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32_memory, word) == 0, lyapunov_ra
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32_init_abi(lyapunov_rate_limit_f32 *storage, const lyapunov_rate_limit_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32_init(storage, parameters) lyapunov_rate_limit_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32_retune(lyapunov_rate_limit_f32 *storage, const lyapunov_rate_limit_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32_save(const lyapunov_rate_limit_f32 *storage, lyapunov_rate_limit_f32_memory *memory);
@@ -7656,7 +7859,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64_memory, word) == 0, lyapunov_ra
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64_init_abi(lyapunov_rate_limit_f64 *storage, const lyapunov_rate_limit_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64_init(storage, parameters) lyapunov_rate_limit_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64_retune(lyapunov_rate_limit_f64 *storage, const lyapunov_rate_limit_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64_save(const lyapunov_rate_limit_f64 *storage, lyapunov_rate_limit_f64_memory *memory);
@@ -7702,7 +7906,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x3_init_abi(lyapunov_rate_limit_f32x3 *storage, const lyapunov_rate_limit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32x3_init(storage, parameters) lyapunov_rate_limit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x3_retune(lyapunov_rate_limit_f32x3 *storage, const lyapunov_rate_limit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32x3_save(const lyapunov_rate_limit_f32x3 *storage, lyapunov_rate_limit_f32x3_memory *memory);
@@ -7748,7 +7953,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x3_init_abi(lyapunov_rate_limit_f64x3 *storage, const lyapunov_rate_limit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64x3_init(storage, parameters) lyapunov_rate_limit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x3_retune(lyapunov_rate_limit_f64x3 *storage, const lyapunov_rate_limit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64x3_save(const lyapunov_rate_limit_f64x3 *storage, lyapunov_rate_limit_f64x3_memory *memory);
@@ -7794,7 +8000,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x6_init_abi(lyapunov_rate_limit_f32x6 *storage, const lyapunov_rate_limit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32x6_init(storage, parameters) lyapunov_rate_limit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32x6_retune(lyapunov_rate_limit_f32x6 *storage, const lyapunov_rate_limit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32x6_save(const lyapunov_rate_limit_f32x6 *storage, lyapunov_rate_limit_f32x6_memory *memory);
@@ -7840,7 +8047,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x6_init_abi(lyapunov_rate_limit_f64x6 *storage, const lyapunov_rate_limit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64x6_init(storage, parameters) lyapunov_rate_limit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64x6_retune(lyapunov_rate_limit_f64x6 *storage, const lyapunov_rate_limit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64x6_save(const lyapunov_rate_limit_f64x6 *storage, lyapunov_rate_limit_f64x6_memory *memory);
@@ -7886,7 +8094,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32screw_init_abi(lyapunov_rate_limit_f32screw *storage, const lyapunov_rate_limit_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f32screw_init(storage, parameters) lyapunov_rate_limit_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f32screw_retune(lyapunov_rate_limit_f32screw *storage, const lyapunov_rate_limit_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f32screw_save(const lyapunov_rate_limit_f32screw *storage, lyapunov_rate_limit_f32screw_memory *memory);
@@ -7932,7 +8141,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64screw_init_abi(lyapunov_rate_limit_f64screw *storage, const lyapunov_rate_limit_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_rate_limit_f64screw_init(storage, parameters) lyapunov_rate_limit_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_rate_limit_f64screw_retune(lyapunov_rate_limit_f64screw *storage, const lyapunov_rate_limit_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_rate_limit_f64screw_save(const lyapunov_rate_limit_f64screw *storage, lyapunov_rate_limit_f64screw_memory *memory);
@@ -7979,7 +8189,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32_init_abi(lyapunov_axis_weights_f32 *storage, const lyapunov_axis_weights_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32_init(storage, parameters) lyapunov_axis_weights_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32_retune(lyapunov_axis_weights_f32 *storage, const lyapunov_axis_weights_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32_save(const lyapunov_axis_weights_f32 *storage, lyapunov_axis_weights_f32_memory *memory);
@@ -8026,7 +8237,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64_init_abi(lyapunov_axis_weights_f64 *storage, const lyapunov_axis_weights_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64_init(storage, parameters) lyapunov_axis_weights_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64_retune(lyapunov_axis_weights_f64 *storage, const lyapunov_axis_weights_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64_save(const lyapunov_axis_weights_f64 *storage, lyapunov_axis_weights_f64_memory *memory);
@@ -8073,7 +8285,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x3_init_abi(lyapunov_axis_weights_f32x3 *storage, const lyapunov_axis_weights_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32x3_init(storage, parameters) lyapunov_axis_weights_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x3_retune(lyapunov_axis_weights_f32x3 *storage, const lyapunov_axis_weights_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32x3_save(const lyapunov_axis_weights_f32x3 *storage, lyapunov_axis_weights_f32x3_memory *memory);
@@ -8120,7 +8333,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x3_init_abi(lyapunov_axis_weights_f64x3 *storage, const lyapunov_axis_weights_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64x3_init(storage, parameters) lyapunov_axis_weights_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x3_retune(lyapunov_axis_weights_f64x3 *storage, const lyapunov_axis_weights_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64x3_save(const lyapunov_axis_weights_f64x3 *storage, lyapunov_axis_weights_f64x3_memory *memory);
@@ -8167,7 +8381,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x6_init_abi(lyapunov_axis_weights_f32x6 *storage, const lyapunov_axis_weights_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32x6_init(storage, parameters) lyapunov_axis_weights_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32x6_retune(lyapunov_axis_weights_f32x6 *storage, const lyapunov_axis_weights_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32x6_save(const lyapunov_axis_weights_f32x6 *storage, lyapunov_axis_weights_f32x6_memory *memory);
@@ -8214,7 +8429,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x6_init_abi(lyapunov_axis_weights_f64x6 *storage, const lyapunov_axis_weights_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64x6_init(storage, parameters) lyapunov_axis_weights_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64x6_retune(lyapunov_axis_weights_f64x6 *storage, const lyapunov_axis_weights_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64x6_save(const lyapunov_axis_weights_f64x6 *storage, lyapunov_axis_weights_f64x6_memory *memory);
@@ -8261,7 +8477,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32screw_init_abi(lyapunov_axis_weights_f32screw *storage, const lyapunov_axis_weights_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f32screw_init(storage, parameters) lyapunov_axis_weights_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f32screw_retune(lyapunov_axis_weights_f32screw *storage, const lyapunov_axis_weights_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f32screw_save(const lyapunov_axis_weights_f32screw *storage, lyapunov_axis_weights_f32screw_memory *memory);
@@ -8308,7 +8525,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64screw_init_abi(lyapunov_axis_weights_f64screw *storage, const lyapunov_axis_weights_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_axis_weights_f64screw_init(storage, parameters) lyapunov_axis_weights_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_axis_weights_f64screw_retune(lyapunov_axis_weights_f64screw *storage, const lyapunov_axis_weights_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_axis_weights_f64screw_save(const lyapunov_axis_weights_f64screw *storage, lyapunov_axis_weights_f64screw_memory *memory);
@@ -8355,7 +8573,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32_init_abi(lyapunov_along_direction_f32 *storage, const lyapunov_along_direction_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32_init(storage, parameters) lyapunov_along_direction_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32_retune(lyapunov_along_direction_f32 *storage, const lyapunov_along_direction_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32_save(const lyapunov_along_direction_f32 *storage, lyapunov_along_direction_f32_memory *memory);
@@ -8402,7 +8621,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64_init_abi(lyapunov_along_direction_f64 *storage, const lyapunov_along_direction_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64_init(storage, parameters) lyapunov_along_direction_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64_retune(lyapunov_along_direction_f64 *storage, const lyapunov_along_direction_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64_save(const lyapunov_along_direction_f64 *storage, lyapunov_along_direction_f64_memory *memory);
@@ -8449,7 +8669,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x3_init_abi(lyapunov_along_direction_f32x3 *storage, const lyapunov_along_direction_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32x3_init(storage, parameters) lyapunov_along_direction_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x3_retune(lyapunov_along_direction_f32x3 *storage, const lyapunov_along_direction_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32x3_save(const lyapunov_along_direction_f32x3 *storage, lyapunov_along_direction_f32x3_memory *memory);
@@ -8496,7 +8717,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x3_init_abi(lyapunov_along_direction_f64x3 *storage, const lyapunov_along_direction_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64x3_init(storage, parameters) lyapunov_along_direction_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x3_retune(lyapunov_along_direction_f64x3 *storage, const lyapunov_along_direction_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64x3_save(const lyapunov_along_direction_f64x3 *storage, lyapunov_along_direction_f64x3_memory *memory);
@@ -8543,7 +8765,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x6_init_abi(lyapunov_along_direction_f32x6 *storage, const lyapunov_along_direction_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32x6_init(storage, parameters) lyapunov_along_direction_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32x6_retune(lyapunov_along_direction_f32x6 *storage, const lyapunov_along_direction_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32x6_save(const lyapunov_along_direction_f32x6 *storage, lyapunov_along_direction_f32x6_memory *memory);
@@ -8590,7 +8813,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x6_init_abi(lyapunov_along_direction_f64x6 *storage, const lyapunov_along_direction_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64x6_init(storage, parameters) lyapunov_along_direction_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64x6_retune(lyapunov_along_direction_f64x6 *storage, const lyapunov_along_direction_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64x6_save(const lyapunov_along_direction_f64x6 *storage, lyapunov_along_direction_f64x6_memory *memory);
@@ -8637,7 +8861,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32screw_init_abi(lyapunov_along_direction_f32screw *storage, const lyapunov_along_direction_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f32screw_init(storage, parameters) lyapunov_along_direction_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f32screw_retune(lyapunov_along_direction_f32screw *storage, const lyapunov_along_direction_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f32screw_save(const lyapunov_along_direction_f32screw *storage, lyapunov_along_direction_f32screw_memory *memory);
@@ -8684,7 +8909,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64screw_init_abi(lyapunov_along_direction_f64screw *storage, const lyapunov_along_direction_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_along_direction_f64screw_init(storage, parameters) lyapunov_along_direction_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_along_direction_f64screw_retune(lyapunov_along_direction_f64screw *storage, const lyapunov_along_direction_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_along_direction_f64screw_save(const lyapunov_along_direction_f64screw *storage, lyapunov_along_direction_f64screw_memory *memory);
@@ -8731,7 +8957,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_init_abi(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_inertia_metric_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f32x3_init(storage, parameters) lyapunov_inertia_metric_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x3_retune(lyapunov_inertia_metric_f32x3 *storage, const lyapunov_inertia_metric_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x3_save(const lyapunov_inertia_metric_f32x3 *storage, lyapunov_inertia_metric_f32x3_memory *memory);
@@ -8778,7 +9005,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_init_abi(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_inertia_metric_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f64x3_init(storage, parameters) lyapunov_inertia_metric_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x3_retune(lyapunov_inertia_metric_f64x3 *storage, const lyapunov_inertia_metric_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x3_save(const lyapunov_inertia_metric_f64x3 *storage, lyapunov_inertia_metric_f64x3_memory *memory);
@@ -8825,7 +9053,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_init_abi(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_inertia_metric_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f32x6_init(storage, parameters) lyapunov_inertia_metric_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f32x6_retune(lyapunov_inertia_metric_f32x6 *storage, const lyapunov_inertia_metric_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f32x6_save(const lyapunov_inertia_metric_f32x6 *storage, lyapunov_inertia_metric_f32x6_memory *memory);
@@ -8872,7 +9101,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_init_abi(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_inertia_metric_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_metric_f64x6_init(storage, parameters) lyapunov_inertia_metric_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_metric_f64x6_retune(lyapunov_inertia_metric_f64x6 *storage, const lyapunov_inertia_metric_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_metric_f64x6_save(const lyapunov_inertia_metric_f64x6 *storage, lyapunov_inertia_metric_f64x6_memory *memory);
@@ -8928,7 +9158,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_init_abi(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_inertia_limit_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f32x3_init(storage, parameters) lyapunov_inertia_limit_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x3_retune(lyapunov_inertia_limit_f32x3 *storage, const lyapunov_inertia_limit_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x3_save(const lyapunov_inertia_limit_f32x3 *storage, lyapunov_inertia_limit_f32x3_memory *memory);
@@ -8984,7 +9215,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_init_abi(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_inertia_limit_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f64x3_init(storage, parameters) lyapunov_inertia_limit_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x3_retune(lyapunov_inertia_limit_f64x3 *storage, const lyapunov_inertia_limit_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x3_save(const lyapunov_inertia_limit_f64x3 *storage, lyapunov_inertia_limit_f64x3_memory *memory);
@@ -9040,7 +9272,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_init_abi(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_inertia_limit_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f32x6_init(storage, parameters) lyapunov_inertia_limit_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f32x6_retune(lyapunov_inertia_limit_f32x6 *storage, const lyapunov_inertia_limit_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f32x6_save(const lyapunov_inertia_limit_f32x6 *storage, lyapunov_inertia_limit_f32x6_memory *memory);
@@ -9096,7 +9329,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_init_abi(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_inertia_limit_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_inertia_limit_f64x6_init(storage, parameters) lyapunov_inertia_limit_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_inertia_limit_f64x6_retune(lyapunov_inertia_limit_f64x6 *storage, const lyapunov_inertia_limit_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_inertia_limit_f64x6_save(const lyapunov_inertia_limit_f64x6 *storage, lyapunov_inertia_limit_f64x6_memory *memory);
@@ -9119,7 +9353,8 @@ typedef struct lyapunov_plausible_f32_parameters {
     lyapunov_lolc_f32_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32_parameters) == 20, lyapunov_plausible_f32_parameters_size);
@@ -9145,7 +9380,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32_memory, word) == 0, lyapunov_pla
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32_init_abi(lyapunov_plausible_f32 *storage, const lyapunov_plausible_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32_init(storage, parameters) lyapunov_plausible_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32_retune(lyapunov_plausible_f32 *storage, const lyapunov_plausible_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32_save(const lyapunov_plausible_f32 *storage, lyapunov_plausible_f32_memory *memory);
@@ -9168,7 +9404,8 @@ typedef struct lyapunov_plausible_f64_parameters {
     lyapunov_lolc_f64_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64_parameters) == 40, lyapunov_plausible_f64_parameters_size);
@@ -9194,7 +9431,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64_memory, word) == 0, lyapunov_pla
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64_init_abi(lyapunov_plausible_f64 *storage, const lyapunov_plausible_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64_init(storage, parameters) lyapunov_plausible_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64_retune(lyapunov_plausible_f64 *storage, const lyapunov_plausible_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64_save(const lyapunov_plausible_f64 *storage, lyapunov_plausible_f64_memory *memory);
@@ -9217,7 +9455,8 @@ typedef struct lyapunov_plausible_f32x3_parameters {
     lyapunov_lolc_f32x3_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32x3_parameters) == 20, lyapunov_plausible_f32x3_parameters_size);
@@ -9243,7 +9482,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x3_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x3_init_abi(lyapunov_plausible_f32x3 *storage, const lyapunov_plausible_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32x3_init(storage, parameters) lyapunov_plausible_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x3_retune(lyapunov_plausible_f32x3 *storage, const lyapunov_plausible_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32x3_save(const lyapunov_plausible_f32x3 *storage, lyapunov_plausible_f32x3_memory *memory);
@@ -9266,7 +9506,8 @@ typedef struct lyapunov_plausible_f64x3_parameters {
     lyapunov_lolc_f64x3_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64x3_parameters) == 40, lyapunov_plausible_f64x3_parameters_size);
@@ -9292,7 +9533,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x3_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x3_init_abi(lyapunov_plausible_f64x3 *storage, const lyapunov_plausible_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64x3_init(storage, parameters) lyapunov_plausible_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x3_retune(lyapunov_plausible_f64x3 *storage, const lyapunov_plausible_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64x3_save(const lyapunov_plausible_f64x3 *storage, lyapunov_plausible_f64x3_memory *memory);
@@ -9315,7 +9557,8 @@ typedef struct lyapunov_plausible_f32x6_parameters {
     lyapunov_lolc_f32x6_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32x6_parameters) == 20, lyapunov_plausible_f32x6_parameters_size);
@@ -9341,7 +9584,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x6_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x6_init_abi(lyapunov_plausible_f32x6 *storage, const lyapunov_plausible_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32x6_init(storage, parameters) lyapunov_plausible_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32x6_retune(lyapunov_plausible_f32x6 *storage, const lyapunov_plausible_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32x6_save(const lyapunov_plausible_f32x6 *storage, lyapunov_plausible_f32x6_memory *memory);
@@ -9364,7 +9608,8 @@ typedef struct lyapunov_plausible_f64x6_parameters {
     lyapunov_lolc_f64x6_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64x6_parameters) == 40, lyapunov_plausible_f64x6_parameters_size);
@@ -9390,7 +9635,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x6_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x6_init_abi(lyapunov_plausible_f64x6 *storage, const lyapunov_plausible_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64x6_init(storage, parameters) lyapunov_plausible_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64x6_retune(lyapunov_plausible_f64x6 *storage, const lyapunov_plausible_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64x6_save(const lyapunov_plausible_f64x6 *storage, lyapunov_plausible_f64x6_memory *memory);
@@ -9413,7 +9659,8 @@ typedef struct lyapunov_plausible_f32screw_parameters {
     lyapunov_lolc_f32screw_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
 } lyapunov_plausible_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f32screw_parameters) == 20, lyapunov_plausible_f32screw_parameters_size);
@@ -9439,7 +9686,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32screw_init_abi(lyapunov_plausible_f32screw *storage, const lyapunov_plausible_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f32screw_init(storage, parameters) lyapunov_plausible_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f32screw_retune(lyapunov_plausible_f32screw *storage, const lyapunov_plausible_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f32screw_save(const lyapunov_plausible_f32screw *storage, lyapunov_plausible_f32screw_memory *memory);
@@ -9462,7 +9710,8 @@ typedef struct lyapunov_plausible_f64screw_parameters {
     lyapunov_lolc_f64screw_parameters lolc;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
 } lyapunov_plausible_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_plausible_f64screw_parameters) == 40, lyapunov_plausible_f64screw_parameters_size);
@@ -9488,7 +9737,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64screw_init_abi(lyapunov_plausible_f64screw *storage, const lyapunov_plausible_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_plausible_f64screw_init(storage, parameters) lyapunov_plausible_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_plausible_f64screw_retune(lyapunov_plausible_f64screw *storage, const lyapunov_plausible_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_plausible_f64screw_save(const lyapunov_plausible_f64screw *storage, lyapunov_plausible_f64screw_memory *memory);
@@ -9538,7 +9788,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32_memory, word) == 0, lyapunov_watc
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32_init_abi(lyapunov_watchdog_f32 *storage, const lyapunov_watchdog_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32_init(storage, parameters) lyapunov_watchdog_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32_retune(lyapunov_watchdog_f32 *storage, const lyapunov_watchdog_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32_save(const lyapunov_watchdog_f32 *storage, lyapunov_watchdog_f32_memory *memory);
@@ -9588,7 +9839,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64_memory, word) == 0, lyapunov_watc
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64_init_abi(lyapunov_watchdog_f64 *storage, const lyapunov_watchdog_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64_init(storage, parameters) lyapunov_watchdog_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64_retune(lyapunov_watchdog_f64 *storage, const lyapunov_watchdog_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64_save(const lyapunov_watchdog_f64 *storage, lyapunov_watchdog_f64_memory *memory);
@@ -9638,7 +9890,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x3_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x3_init_abi(lyapunov_watchdog_f32x3 *storage, const lyapunov_watchdog_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32x3_init(storage, parameters) lyapunov_watchdog_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x3_retune(lyapunov_watchdog_f32x3 *storage, const lyapunov_watchdog_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32x3_save(const lyapunov_watchdog_f32x3 *storage, lyapunov_watchdog_f32x3_memory *memory);
@@ -9688,7 +9941,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x3_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x3_init_abi(lyapunov_watchdog_f64x3 *storage, const lyapunov_watchdog_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64x3_init(storage, parameters) lyapunov_watchdog_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x3_retune(lyapunov_watchdog_f64x3 *storage, const lyapunov_watchdog_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64x3_save(const lyapunov_watchdog_f64x3 *storage, lyapunov_watchdog_f64x3_memory *memory);
@@ -9738,7 +9992,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x6_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x6_init_abi(lyapunov_watchdog_f32x6 *storage, const lyapunov_watchdog_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32x6_init(storage, parameters) lyapunov_watchdog_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32x6_retune(lyapunov_watchdog_f32x6 *storage, const lyapunov_watchdog_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32x6_save(const lyapunov_watchdog_f32x6 *storage, lyapunov_watchdog_f32x6_memory *memory);
@@ -9788,7 +10043,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x6_memory, word) == 0, lyapunov_wa
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x6_init_abi(lyapunov_watchdog_f64x6 *storage, const lyapunov_watchdog_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64x6_init(storage, parameters) lyapunov_watchdog_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64x6_retune(lyapunov_watchdog_f64x6 *storage, const lyapunov_watchdog_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64x6_save(const lyapunov_watchdog_f64x6 *storage, lyapunov_watchdog_f64x6_memory *memory);
@@ -9838,7 +10094,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32screw_init_abi(lyapunov_watchdog_f32screw *storage, const lyapunov_watchdog_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f32screw_init(storage, parameters) lyapunov_watchdog_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f32screw_retune(lyapunov_watchdog_f32screw *storage, const lyapunov_watchdog_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f32screw_save(const lyapunov_watchdog_f32screw *storage, lyapunov_watchdog_f32screw_memory *memory);
@@ -9888,7 +10145,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64screw_init_abi(lyapunov_watchdog_f64screw *storage, const lyapunov_watchdog_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_watchdog_f64screw_init(storage, parameters) lyapunov_watchdog_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_watchdog_f64screw_retune(lyapunov_watchdog_f64screw *storage, const lyapunov_watchdog_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_watchdog_f64screw_save(const lyapunov_watchdog_f64screw *storage, lyapunov_watchdog_f64screw_memory *memory);
@@ -9917,7 +10175,8 @@ typedef struct lyapunov_safeguarded_f32_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -9951,7 +10210,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32_init_abi(lyapunov_safeguarded_f32 *storage, const lyapunov_safeguarded_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32_init(storage, parameters) lyapunov_safeguarded_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32_retune(lyapunov_safeguarded_f32 *storage, const lyapunov_safeguarded_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32_save(const lyapunov_safeguarded_f32 *storage, lyapunov_safeguarded_f32_memory *memory);
@@ -9980,7 +10240,8 @@ typedef struct lyapunov_safeguarded_f64_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10014,7 +10275,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64_init_abi(lyapunov_safeguarded_f64 *storage, const lyapunov_safeguarded_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64_init(storage, parameters) lyapunov_safeguarded_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64_retune(lyapunov_safeguarded_f64 *storage, const lyapunov_safeguarded_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64_save(const lyapunov_safeguarded_f64 *storage, lyapunov_safeguarded_f64_memory *memory);
@@ -10043,7 +10305,8 @@ typedef struct lyapunov_safeguarded_f32x3_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -10077,7 +10340,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x3_init_abi(lyapunov_safeguarded_f32x3 *storage, const lyapunov_safeguarded_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32x3_init(storage, parameters) lyapunov_safeguarded_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x3_retune(lyapunov_safeguarded_f32x3 *storage, const lyapunov_safeguarded_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32x3_save(const lyapunov_safeguarded_f32x3 *storage, lyapunov_safeguarded_f32x3_memory *memory);
@@ -10106,7 +10370,8 @@ typedef struct lyapunov_safeguarded_f64x3_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10140,7 +10405,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x3_init_abi(lyapunov_safeguarded_f64x3 *storage, const lyapunov_safeguarded_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64x3_init(storage, parameters) lyapunov_safeguarded_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x3_retune(lyapunov_safeguarded_f64x3 *storage, const lyapunov_safeguarded_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64x3_save(const lyapunov_safeguarded_f64x3 *storage, lyapunov_safeguarded_f64x3_memory *memory);
@@ -10169,7 +10435,8 @@ typedef struct lyapunov_safeguarded_f32x6_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -10203,7 +10470,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x6_init_abi(lyapunov_safeguarded_f32x6 *storage, const lyapunov_safeguarded_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32x6_init(storage, parameters) lyapunov_safeguarded_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32x6_retune(lyapunov_safeguarded_f32x6 *storage, const lyapunov_safeguarded_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32x6_save(const lyapunov_safeguarded_f32x6 *storage, lyapunov_safeguarded_f32x6_memory *memory);
@@ -10232,7 +10500,8 @@ typedef struct lyapunov_safeguarded_f64x6_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10266,7 +10535,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x6_init_abi(lyapunov_safeguarded_f64x6 *storage, const lyapunov_safeguarded_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64x6_init(storage, parameters) lyapunov_safeguarded_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64x6_retune(lyapunov_safeguarded_f64x6 *storage, const lyapunov_safeguarded_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64x6_save(const lyapunov_safeguarded_f64x6 *storage, lyapunov_safeguarded_f64x6_memory *memory);
@@ -10295,7 +10565,8 @@ typedef struct lyapunov_safeguarded_f32screw_parameters {
     float rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     float speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     float effort;
     /* How long the last effort is held without sound samples, s. */
     float hold;
@@ -10329,7 +10600,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32screw_init_abi(lyapunov_safeguarded_f32screw *storage, const lyapunov_safeguarded_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f32screw_init(storage, parameters) lyapunov_safeguarded_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f32screw_retune(lyapunov_safeguarded_f32screw *storage, const lyapunov_safeguarded_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f32screw_save(const lyapunov_safeguarded_f32screw *storage, lyapunov_safeguarded_f32screw_memory *memory);
@@ -10358,7 +10630,8 @@ typedef struct lyapunov_safeguarded_f64screw_parameters {
     double rate;
     /* The largest speed on an axis, m/s; infinity: no limit. */
     double speed;
-    /* The largest effort on an axis, N; infinity: no limit. */
+    /* The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the
+       tick is rejected and not clipped, so take a number well above both. Infinity: no limit. */
     double effort;
     /* How long the last effort is held without sound samples, s. */
     double hold;
@@ -10392,7 +10665,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64screw_init_abi(lyapunov_safeguarded_f64screw *storage, const lyapunov_safeguarded_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_safeguarded_f64screw_init(storage, parameters) lyapunov_safeguarded_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_safeguarded_f64screw_retune(lyapunov_safeguarded_f64screw *storage, const lyapunov_safeguarded_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_safeguarded_f64screw_save(const lyapunov_safeguarded_f64screw *storage, lyapunov_safeguarded_f64screw_memory *memory);
@@ -10436,7 +10710,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f32x3_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x3_init_abi(lyapunov_per_axis_f32x3 *storage, const lyapunov_per_axis_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f32x3_init(storage, parameters) lyapunov_per_axis_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x3_retune(lyapunov_per_axis_f32x3 *storage, const lyapunov_per_axis_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f32x3_save(const lyapunov_per_axis_f32x3 *storage, lyapunov_per_axis_f32x3_memory *memory);
@@ -10472,7 +10747,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f64x3_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x3_init_abi(lyapunov_per_axis_f64x3 *storage, const lyapunov_per_axis_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f64x3_init(storage, parameters) lyapunov_per_axis_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x3_retune(lyapunov_per_axis_f64x3 *storage, const lyapunov_per_axis_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f64x3_save(const lyapunov_per_axis_f64x3 *storage, lyapunov_per_axis_f64x3_memory *memory);
@@ -10508,7 +10784,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f32x6_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x6_init_abi(lyapunov_per_axis_f32x6 *storage, const lyapunov_per_axis_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f32x6_init(storage, parameters) lyapunov_per_axis_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f32x6_retune(lyapunov_per_axis_f32x6 *storage, const lyapunov_per_axis_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f32x6_save(const lyapunov_per_axis_f32x6 *storage, lyapunov_per_axis_f32x6_memory *memory);
@@ -10544,7 +10821,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f64x6_memory, word) == 0, lyapunov_pe
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x6_init_abi(lyapunov_per_axis_f64x6 *storage, const lyapunov_per_axis_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_per_axis_f64x6_init(storage, parameters) lyapunov_per_axis_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_axis_f64x6_retune(lyapunov_per_axis_f64x6 *storage, const lyapunov_per_axis_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_axis_f64x6_save(const lyapunov_per_axis_f64x6 *storage, lyapunov_per_axis_f64x6_memory *memory);
@@ -10582,7 +10860,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f32screw_init_abi(lyapunov_per_part_f32screw *storage, const lyapunov_per_part_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_per_part_f32screw_init(storage, parameters) lyapunov_per_part_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f32screw_retune(lyapunov_per_part_f32screw *storage, const lyapunov_per_part_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_part_f32screw_save(const lyapunov_per_part_f32screw *storage, lyapunov_per_part_f32screw_memory *memory);
@@ -10620,7 +10899,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f64screw_init_abi(lyapunov_per_part_f64screw *storage, const lyapunov_per_part_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_per_part_f64screw_init(storage, parameters) lyapunov_per_part_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_per_part_f64screw_retune(lyapunov_per_part_f64screw *storage, const lyapunov_per_part_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_per_part_f64screw_save(const lyapunov_per_part_f64screw *storage, lyapunov_per_part_f64screw_memory *memory);
@@ -10640,7 +10920,8 @@ typedef struct lyapunov_part_limits_f32screw_parameters {
     float translation_damping;
     /* Damping of rotation that the device surely has, N.m.s/rad. */
     float rotation_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_part_limits_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_part_limits_f32screw_parameters) == 20, lyapunov_part_limits_f32screw_parameters_size);
@@ -10668,7 +10949,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f32screw_init_abi(lyapunov_part_limits_f32screw *storage, const lyapunov_part_limits_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_part_limits_f32screw_init(storage, parameters) lyapunov_part_limits_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f32screw_retune(lyapunov_part_limits_f32screw *storage, const lyapunov_part_limits_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_part_limits_f32screw_save(const lyapunov_part_limits_f32screw *storage, lyapunov_part_limits_f32screw_memory *memory);
@@ -10696,7 +10978,8 @@ typedef struct lyapunov_part_limits_f64screw_parameters {
     double translation_damping;
     /* Damping of rotation that the device surely has, N.m.s/rad. */
     double rotation_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_part_limits_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_part_limits_f64screw_parameters) == 40, lyapunov_part_limits_f64screw_parameters_size);
@@ -10724,7 +11007,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f64screw_init_abi(lyapunov_part_limits_f64screw *storage, const lyapunov_part_limits_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_part_limits_f64screw_init(storage, parameters) lyapunov_part_limits_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_part_limits_f64screw_retune(lyapunov_part_limits_f64screw *storage, const lyapunov_part_limits_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_part_limits_f64screw_save(const lyapunov_part_limits_f64screw *storage, lyapunov_part_limits_f64screw_memory *memory);
@@ -10767,7 +11051,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32_memory, word) == 0, lyapunov_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32_init_abi(lyapunov_force_bound_f32 *storage, const lyapunov_force_bound_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32_init(storage, parameters) lyapunov_force_bound_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32_retune(lyapunov_force_bound_f32 *storage, const lyapunov_force_bound_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32_save(const lyapunov_force_bound_f32 *storage, lyapunov_force_bound_f32_memory *memory);
@@ -10810,7 +11095,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64_memory, word) == 0, lyapunov_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64_init_abi(lyapunov_force_bound_f64 *storage, const lyapunov_force_bound_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64_init(storage, parameters) lyapunov_force_bound_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64_retune(lyapunov_force_bound_f64 *storage, const lyapunov_force_bound_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64_save(const lyapunov_force_bound_f64 *storage, lyapunov_force_bound_f64_memory *memory);
@@ -10853,7 +11139,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x3_init_abi(lyapunov_force_bound_f32x3 *storage, const lyapunov_force_bound_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32x3_init(storage, parameters) lyapunov_force_bound_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x3_retune(lyapunov_force_bound_f32x3 *storage, const lyapunov_force_bound_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32x3_save(const lyapunov_force_bound_f32x3 *storage, lyapunov_force_bound_f32x3_memory *memory);
@@ -10896,7 +11183,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x3_init_abi(lyapunov_force_bound_f64x3 *storage, const lyapunov_force_bound_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64x3_init(storage, parameters) lyapunov_force_bound_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x3_retune(lyapunov_force_bound_f64x3 *storage, const lyapunov_force_bound_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64x3_save(const lyapunov_force_bound_f64x3 *storage, lyapunov_force_bound_f64x3_memory *memory);
@@ -10939,7 +11227,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x6_init_abi(lyapunov_force_bound_f32x6 *storage, const lyapunov_force_bound_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32x6_init(storage, parameters) lyapunov_force_bound_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32x6_retune(lyapunov_force_bound_f32x6 *storage, const lyapunov_force_bound_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32x6_save(const lyapunov_force_bound_f32x6 *storage, lyapunov_force_bound_f32x6_memory *memory);
@@ -10982,7 +11271,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x6_init_abi(lyapunov_force_bound_f64x6 *storage, const lyapunov_force_bound_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64x6_init(storage, parameters) lyapunov_force_bound_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64x6_retune(lyapunov_force_bound_f64x6 *storage, const lyapunov_force_bound_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64x6_save(const lyapunov_force_bound_f64x6 *storage, lyapunov_force_bound_f64x6_memory *memory);
@@ -11025,7 +11315,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32screw_init_abi(lyapunov_force_bound_f32screw *storage, const lyapunov_force_bound_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f32screw_init(storage, parameters) lyapunov_force_bound_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f32screw_retune(lyapunov_force_bound_f32screw *storage, const lyapunov_force_bound_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f32screw_save(const lyapunov_force_bound_f32screw *storage, lyapunov_force_bound_f32screw_memory *memory);
@@ -11068,7 +11359,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64screw_init_abi(lyapunov_force_bound_f64screw *storage, const lyapunov_force_bound_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bound_f64screw_init(storage, parameters) lyapunov_force_bound_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bound_f64screw_retune(lyapunov_force_bound_f64screw *storage, const lyapunov_force_bound_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bound_f64screw_save(const lyapunov_force_bound_f64screw *storage, lyapunov_force_bound_f64screw_memory *memory);
@@ -11111,7 +11403,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32_init_abi(lyapunov_force_bounding_f32 *storage, const lyapunov_force_bounding_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32_init(storage, parameters) lyapunov_force_bounding_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32_retune(lyapunov_force_bounding_f32 *storage, const lyapunov_force_bounding_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32_save(const lyapunov_force_bounding_f32 *storage, lyapunov_force_bounding_f32_memory *memory);
@@ -11154,7 +11447,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64_init_abi(lyapunov_force_bounding_f64 *storage, const lyapunov_force_bounding_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64_init(storage, parameters) lyapunov_force_bounding_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64_retune(lyapunov_force_bounding_f64 *storage, const lyapunov_force_bounding_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64_save(const lyapunov_force_bounding_f64 *storage, lyapunov_force_bounding_f64_memory *memory);
@@ -11197,7 +11491,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x3_init_abi(lyapunov_force_bounding_f32x3 *storage, const lyapunov_force_bounding_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32x3_init(storage, parameters) lyapunov_force_bounding_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x3_retune(lyapunov_force_bounding_f32x3 *storage, const lyapunov_force_bounding_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32x3_save(const lyapunov_force_bounding_f32x3 *storage, lyapunov_force_bounding_f32x3_memory *memory);
@@ -11240,7 +11535,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x3_init_abi(lyapunov_force_bounding_f64x3 *storage, const lyapunov_force_bounding_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64x3_init(storage, parameters) lyapunov_force_bounding_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x3_retune(lyapunov_force_bounding_f64x3 *storage, const lyapunov_force_bounding_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64x3_save(const lyapunov_force_bounding_f64x3 *storage, lyapunov_force_bounding_f64x3_memory *memory);
@@ -11283,7 +11579,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x6_init_abi(lyapunov_force_bounding_f32x6 *storage, const lyapunov_force_bounding_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32x6_init(storage, parameters) lyapunov_force_bounding_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32x6_retune(lyapunov_force_bounding_f32x6 *storage, const lyapunov_force_bounding_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32x6_save(const lyapunov_force_bounding_f32x6 *storage, lyapunov_force_bounding_f32x6_memory *memory);
@@ -11326,7 +11623,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x6_init_abi(lyapunov_force_bounding_f64x6 *storage, const lyapunov_force_bounding_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64x6_init(storage, parameters) lyapunov_force_bounding_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64x6_retune(lyapunov_force_bounding_f64x6 *storage, const lyapunov_force_bounding_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64x6_save(const lyapunov_force_bounding_f64x6 *storage, lyapunov_force_bounding_f64x6_memory *memory);
@@ -11369,7 +11667,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32screw_init_abi(lyapunov_force_bounding_f32screw *storage, const lyapunov_force_bounding_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f32screw_init(storage, parameters) lyapunov_force_bounding_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f32screw_retune(lyapunov_force_bounding_f32screw *storage, const lyapunov_force_bounding_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f32screw_save(const lyapunov_force_bounding_f32screw *storage, lyapunov_force_bounding_f32screw_memory *memory);
@@ -11412,7 +11711,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64screw_init_abi(lyapunov_force_bounding_f64screw *storage, const lyapunov_force_bounding_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_force_bounding_f64screw_init(storage, parameters) lyapunov_force_bounding_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64screw_retune(lyapunov_force_bounding_f64screw *storage, const lyapunov_force_bounding_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_force_bounding_f64screw_save(const lyapunov_force_bounding_f64screw *storage, lyapunov_force_bounding_f64screw_memory *memory);
@@ -11467,7 +11767,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32_memory, word) == 0, lyapunov_tank_f32
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32_init_abi(lyapunov_tank_f32 *storage, const lyapunov_tank_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32_init(storage, parameters) lyapunov_tank_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32_retune(lyapunov_tank_f32 *storage, const lyapunov_tank_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32_save(const lyapunov_tank_f32 *storage, lyapunov_tank_f32_memory *memory);
@@ -11522,7 +11823,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64_memory, word) == 0, lyapunov_tank_f64
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64_init_abi(lyapunov_tank_f64 *storage, const lyapunov_tank_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64_init(storage, parameters) lyapunov_tank_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64_retune(lyapunov_tank_f64 *storage, const lyapunov_tank_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64_save(const lyapunov_tank_f64 *storage, lyapunov_tank_f64_memory *memory);
@@ -11577,7 +11879,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x3_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x3_init_abi(lyapunov_tank_f32x3 *storage, const lyapunov_tank_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32x3_init(storage, parameters) lyapunov_tank_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x3_retune(lyapunov_tank_f32x3 *storage, const lyapunov_tank_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32x3_save(const lyapunov_tank_f32x3 *storage, lyapunov_tank_f32x3_memory *memory);
@@ -11632,7 +11935,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x3_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x3_init_abi(lyapunov_tank_f64x3 *storage, const lyapunov_tank_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64x3_init(storage, parameters) lyapunov_tank_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x3_retune(lyapunov_tank_f64x3 *storage, const lyapunov_tank_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64x3_save(const lyapunov_tank_f64x3 *storage, lyapunov_tank_f64x3_memory *memory);
@@ -11687,7 +11991,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x6_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x6_init_abi(lyapunov_tank_f32x6 *storage, const lyapunov_tank_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32x6_init(storage, parameters) lyapunov_tank_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32x6_retune(lyapunov_tank_f32x6 *storage, const lyapunov_tank_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32x6_save(const lyapunov_tank_f32x6 *storage, lyapunov_tank_f32x6_memory *memory);
@@ -11742,7 +12047,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x6_memory, word) == 0, lyapunov_tank_f
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x6_init_abi(lyapunov_tank_f64x6 *storage, const lyapunov_tank_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64x6_init(storage, parameters) lyapunov_tank_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64x6_retune(lyapunov_tank_f64x6 *storage, const lyapunov_tank_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64x6_save(const lyapunov_tank_f64x6 *storage, lyapunov_tank_f64x6_memory *memory);
@@ -11797,7 +12103,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32screw_memory, word) == 0, lyapunov_tan
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32screw_init_abi(lyapunov_tank_f32screw *storage, const lyapunov_tank_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f32screw_init(storage, parameters) lyapunov_tank_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f32screw_retune(lyapunov_tank_f32screw *storage, const lyapunov_tank_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f32screw_save(const lyapunov_tank_f32screw *storage, lyapunov_tank_f32screw_memory *memory);
@@ -11852,7 +12159,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64screw_memory, word) == 0, lyapunov_tan
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64screw_init_abi(lyapunov_tank_f64screw *storage, const lyapunov_tank_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_tank_f64screw_init(storage, parameters) lyapunov_tank_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_tank_f64screw_retune(lyapunov_tank_f64screw *storage, const lyapunov_tank_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_tank_f64screw_save(const lyapunov_tank_f64screw *storage, lyapunov_tank_f64screw_memory *memory);
@@ -11906,7 +12214,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_memory, word) == 0, lyapunov_e
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_init_abi(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32_init(storage, parameters) lyapunov_energy_tank_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32_retune(lyapunov_energy_tank_f32 *storage, const lyapunov_energy_tank_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32_save(const lyapunov_energy_tank_f32 *storage, lyapunov_energy_tank_f32_memory *memory);
@@ -11956,7 +12265,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_memory, word) == 0, lyapunov_e
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_init_abi(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64_init(storage, parameters) lyapunov_energy_tank_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64_retune(lyapunov_energy_tank_f64 *storage, const lyapunov_energy_tank_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64_save(const lyapunov_energy_tank_f64 *storage, lyapunov_energy_tank_f64_memory *memory);
@@ -12006,7 +12316,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_init_abi(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32x3_init(storage, parameters) lyapunov_energy_tank_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x3_retune(lyapunov_energy_tank_f32x3 *storage, const lyapunov_energy_tank_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x3_save(const lyapunov_energy_tank_f32x3 *storage, lyapunov_energy_tank_f32x3_memory *memory);
@@ -12056,7 +12367,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_init_abi(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64x3_init(storage, parameters) lyapunov_energy_tank_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x3_retune(lyapunov_energy_tank_f64x3 *storage, const lyapunov_energy_tank_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x3_save(const lyapunov_energy_tank_f64x3 *storage, lyapunov_energy_tank_f64x3_memory *memory);
@@ -12106,7 +12418,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_init_abi(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32x6_init(storage, parameters) lyapunov_energy_tank_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32x6_retune(lyapunov_energy_tank_f32x6 *storage, const lyapunov_energy_tank_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32x6_save(const lyapunov_energy_tank_f32x6 *storage, lyapunov_energy_tank_f32x6_memory *memory);
@@ -12156,7 +12469,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_init_abi(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64x6_init(storage, parameters) lyapunov_energy_tank_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64x6_retune(lyapunov_energy_tank_f64x6 *storage, const lyapunov_energy_tank_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64x6_save(const lyapunov_energy_tank_f64x6 *storage, lyapunov_energy_tank_f64x6_memory *memory);
@@ -12206,7 +12520,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_init_abi(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f32screw_init(storage, parameters) lyapunov_energy_tank_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f32screw_retune(lyapunov_energy_tank_f32screw *storage, const lyapunov_energy_tank_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f32screw_save(const lyapunov_energy_tank_f32screw *storage, lyapunov_energy_tank_f32screw_memory *memory);
@@ -12256,7 +12571,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_init_abi(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_tank_f64screw_init(storage, parameters) lyapunov_energy_tank_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_tank_f64screw_retune(lyapunov_energy_tank_f64screw *storage, const lyapunov_energy_tank_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_tank_f64screw_save(const lyapunov_energy_tank_f64screw *storage, lyapunov_energy_tank_f64screw_memory *memory);
@@ -12301,7 +12617,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32_init_abi(lyapunov_energy_bounding_f32 *storage, const lyapunov_energy_bounding_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32_init(storage, parameters) lyapunov_energy_bounding_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32_retune(lyapunov_energy_bounding_f32 *storage, const lyapunov_energy_bounding_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32_save(const lyapunov_energy_bounding_f32 *storage, lyapunov_energy_bounding_f32_memory *memory);
@@ -12350,7 +12667,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64_init_abi(lyapunov_energy_bounding_f64 *storage, const lyapunov_energy_bounding_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64_init(storage, parameters) lyapunov_energy_bounding_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64_retune(lyapunov_energy_bounding_f64 *storage, const lyapunov_energy_bounding_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64_save(const lyapunov_energy_bounding_f64 *storage, lyapunov_energy_bounding_f64_memory *memory);
@@ -12399,7 +12717,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x3_init_abi(lyapunov_energy_bounding_f32x3 *storage, const lyapunov_energy_bounding_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32x3_init(storage, parameters) lyapunov_energy_bounding_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x3_retune(lyapunov_energy_bounding_f32x3 *storage, const lyapunov_energy_bounding_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32x3_save(const lyapunov_energy_bounding_f32x3 *storage, lyapunov_energy_bounding_f32x3_memory *memory);
@@ -12448,7 +12767,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x3_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x3_init_abi(lyapunov_energy_bounding_f64x3 *storage, const lyapunov_energy_bounding_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64x3_init(storage, parameters) lyapunov_energy_bounding_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x3_retune(lyapunov_energy_bounding_f64x3 *storage, const lyapunov_energy_bounding_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64x3_save(const lyapunov_energy_bounding_f64x3 *storage, lyapunov_energy_bounding_f64x3_memory *memory);
@@ -12497,7 +12817,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x6_init_abi(lyapunov_energy_bounding_f32x6 *storage, const lyapunov_energy_bounding_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32x6_init(storage, parameters) lyapunov_energy_bounding_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32x6_retune(lyapunov_energy_bounding_f32x6 *storage, const lyapunov_energy_bounding_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32x6_save(const lyapunov_energy_bounding_f32x6 *storage, lyapunov_energy_bounding_f32x6_memory *memory);
@@ -12546,7 +12867,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x6_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x6_init_abi(lyapunov_energy_bounding_f64x6 *storage, const lyapunov_energy_bounding_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64x6_init(storage, parameters) lyapunov_energy_bounding_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64x6_retune(lyapunov_energy_bounding_f64x6 *storage, const lyapunov_energy_bounding_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64x6_save(const lyapunov_energy_bounding_f64x6 *storage, lyapunov_energy_bounding_f64x6_memory *memory);
@@ -12596,7 +12918,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32screw_init_abi(lyapunov_energy_bounding_f32screw *storage, const lyapunov_energy_bounding_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f32screw_init(storage, parameters) lyapunov_energy_bounding_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f32screw_retune(lyapunov_energy_bounding_f32screw *storage, const lyapunov_energy_bounding_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f32screw_save(const lyapunov_energy_bounding_f32screw *storage, lyapunov_energy_bounding_f32screw_memory *memory);
@@ -12646,7 +12969,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64screw_memory, word) == 0, l
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64screw_init_abi(lyapunov_energy_bounding_f64screw *storage, const lyapunov_energy_bounding_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_bounding_f64screw_init(storage, parameters) lyapunov_energy_bounding_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_bounding_f64screw_retune(lyapunov_energy_bounding_f64screw *storage, const lyapunov_energy_bounding_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_bounding_f64screw_save(const lyapunov_energy_bounding_f64screw *storage, lyapunov_energy_bounding_f64screw_memory *memory);
@@ -12672,7 +12996,8 @@ typedef struct lyapunov_least_norm_f32_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32_parameters) == 16, lyapunov_least_norm_f32_parameters_size);
@@ -12699,7 +13024,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32_memory, word) == 0, lyapunov_le
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32_init_abi(lyapunov_least_norm_f32 *storage, const lyapunov_least_norm_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32_init(storage, parameters) lyapunov_least_norm_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32_retune(lyapunov_least_norm_f32 *storage, const lyapunov_least_norm_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32_save(const lyapunov_least_norm_f32 *storage, lyapunov_least_norm_f32_memory *memory);
@@ -12725,7 +13051,8 @@ typedef struct lyapunov_least_norm_f64_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64_parameters) == 32, lyapunov_least_norm_f64_parameters_size);
@@ -12752,7 +13079,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64_memory, word) == 0, lyapunov_le
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64_init_abi(lyapunov_least_norm_f64 *storage, const lyapunov_least_norm_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64_init(storage, parameters) lyapunov_least_norm_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64_retune(lyapunov_least_norm_f64 *storage, const lyapunov_least_norm_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64_save(const lyapunov_least_norm_f64 *storage, lyapunov_least_norm_f64_memory *memory);
@@ -12778,7 +13106,8 @@ typedef struct lyapunov_least_norm_f32x3_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32x3_parameters) == 16, lyapunov_least_norm_f32x3_parameters_size);
@@ -12805,7 +13134,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x3_init_abi(lyapunov_least_norm_f32x3 *storage, const lyapunov_least_norm_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32x3_init(storage, parameters) lyapunov_least_norm_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x3_retune(lyapunov_least_norm_f32x3 *storage, const lyapunov_least_norm_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32x3_save(const lyapunov_least_norm_f32x3 *storage, lyapunov_least_norm_f32x3_memory *memory);
@@ -12831,7 +13161,8 @@ typedef struct lyapunov_least_norm_f64x3_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64x3_parameters) == 32, lyapunov_least_norm_f64x3_parameters_size);
@@ -12858,7 +13189,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x3_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x3_init_abi(lyapunov_least_norm_f64x3 *storage, const lyapunov_least_norm_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64x3_init(storage, parameters) lyapunov_least_norm_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x3_retune(lyapunov_least_norm_f64x3 *storage, const lyapunov_least_norm_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64x3_save(const lyapunov_least_norm_f64x3 *storage, lyapunov_least_norm_f64x3_memory *memory);
@@ -12884,7 +13216,8 @@ typedef struct lyapunov_least_norm_f32x6_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32x6_parameters) == 16, lyapunov_least_norm_f32x6_parameters_size);
@@ -12911,7 +13244,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x6_init_abi(lyapunov_least_norm_f32x6 *storage, const lyapunov_least_norm_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32x6_init(storage, parameters) lyapunov_least_norm_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32x6_retune(lyapunov_least_norm_f32x6 *storage, const lyapunov_least_norm_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32x6_save(const lyapunov_least_norm_f32x6 *storage, lyapunov_least_norm_f32x6_memory *memory);
@@ -12937,7 +13271,8 @@ typedef struct lyapunov_least_norm_f64x6_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64x6_parameters) == 32, lyapunov_least_norm_f64x6_parameters_size);
@@ -12964,7 +13299,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x6_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x6_init_abi(lyapunov_least_norm_f64x6 *storage, const lyapunov_least_norm_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64x6_init(storage, parameters) lyapunov_least_norm_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64x6_retune(lyapunov_least_norm_f64x6 *storage, const lyapunov_least_norm_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64x6_save(const lyapunov_least_norm_f64x6 *storage, lyapunov_least_norm_f64x6_memory *memory);
@@ -12990,7 +13326,8 @@ typedef struct lyapunov_least_norm_f32screw_parameters {
     float decay;
     /* Damping that the device surely has, N.s/m. */
     float device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     float budget;
 } lyapunov_least_norm_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f32screw_parameters) == 16, lyapunov_least_norm_f32screw_parameters_size);
@@ -13017,7 +13354,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32screw_init_abi(lyapunov_least_norm_f32screw *storage, const lyapunov_least_norm_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f32screw_init(storage, parameters) lyapunov_least_norm_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f32screw_retune(lyapunov_least_norm_f32screw *storage, const lyapunov_least_norm_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f32screw_save(const lyapunov_least_norm_f32screw *storage, lyapunov_least_norm_f32screw_memory *memory);
@@ -13043,7 +13381,8 @@ typedef struct lyapunov_least_norm_f64screw_parameters {
     double decay;
     /* Damping that the device surely has, N.s/m. */
     double device_damping;
-    /* Energy stored in the loop at the start, which may come back, J; usually 0. */
+    /* Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune`
+       does not, and later there is `grant`. */
     double budget;
 } lyapunov_least_norm_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_least_norm_f64screw_parameters) == 32, lyapunov_least_norm_f64screw_parameters_size);
@@ -13070,7 +13409,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64screw_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64screw_init_abi(lyapunov_least_norm_f64screw *storage, const lyapunov_least_norm_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_least_norm_f64screw_init(storage, parameters) lyapunov_least_norm_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_least_norm_f64screw_retune(lyapunov_least_norm_f64screw *storage, const lyapunov_least_norm_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_least_norm_f64screw_save(const lyapunov_least_norm_f64screw *storage, lyapunov_least_norm_f64screw_memory *memory);
@@ -13117,7 +13457,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32_init_abi(lyapunov_slope_bound_f32 *storage, const lyapunov_slope_bound_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32_init(storage, parameters) lyapunov_slope_bound_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32_retune(lyapunov_slope_bound_f32 *storage, const lyapunov_slope_bound_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32_save(const lyapunov_slope_bound_f32 *storage, lyapunov_slope_bound_f32_memory *memory);
@@ -13164,7 +13505,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64_memory, word) == 0, lyapunov_s
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64_init_abi(lyapunov_slope_bound_f64 *storage, const lyapunov_slope_bound_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64_init(storage, parameters) lyapunov_slope_bound_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64_retune(lyapunov_slope_bound_f64 *storage, const lyapunov_slope_bound_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64_save(const lyapunov_slope_bound_f64 *storage, lyapunov_slope_bound_f64_memory *memory);
@@ -13211,7 +13553,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x3_init_abi(lyapunov_slope_bound_f32x3 *storage, const lyapunov_slope_bound_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32x3_init(storage, parameters) lyapunov_slope_bound_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x3_retune(lyapunov_slope_bound_f32x3 *storage, const lyapunov_slope_bound_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32x3_save(const lyapunov_slope_bound_f32x3 *storage, lyapunov_slope_bound_f32x3_memory *memory);
@@ -13258,7 +13601,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x3_init_abi(lyapunov_slope_bound_f64x3 *storage, const lyapunov_slope_bound_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64x3_init(storage, parameters) lyapunov_slope_bound_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x3_retune(lyapunov_slope_bound_f64x3 *storage, const lyapunov_slope_bound_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64x3_save(const lyapunov_slope_bound_f64x3 *storage, lyapunov_slope_bound_f64x3_memory *memory);
@@ -13305,7 +13649,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x6_init_abi(lyapunov_slope_bound_f32x6 *storage, const lyapunov_slope_bound_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32x6_init(storage, parameters) lyapunov_slope_bound_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32x6_retune(lyapunov_slope_bound_f32x6 *storage, const lyapunov_slope_bound_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32x6_save(const lyapunov_slope_bound_f32x6 *storage, lyapunov_slope_bound_f32x6_memory *memory);
@@ -13352,7 +13697,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x6_init_abi(lyapunov_slope_bound_f64x6 *storage, const lyapunov_slope_bound_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64x6_init(storage, parameters) lyapunov_slope_bound_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64x6_retune(lyapunov_slope_bound_f64x6 *storage, const lyapunov_slope_bound_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64x6_save(const lyapunov_slope_bound_f64x6 *storage, lyapunov_slope_bound_f64x6_memory *memory);
@@ -13399,7 +13745,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32screw_init_abi(lyapunov_slope_bound_f32screw *storage, const lyapunov_slope_bound_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f32screw_init(storage, parameters) lyapunov_slope_bound_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f32screw_retune(lyapunov_slope_bound_f32screw *storage, const lyapunov_slope_bound_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f32screw_save(const lyapunov_slope_bound_f32screw *storage, lyapunov_slope_bound_f32screw_memory *memory);
@@ -13446,7 +13793,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64screw_init_abi(lyapunov_slope_bound_f64screw *storage, const lyapunov_slope_bound_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_slope_bound_f64screw_init(storage, parameters) lyapunov_slope_bound_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_slope_bound_f64screw_retune(lyapunov_slope_bound_f64screw *storage, const lyapunov_slope_bound_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_slope_bound_f64screw_save(const lyapunov_slope_bound_f64screw *storage, lyapunov_slope_bound_f64screw_memory *memory);
@@ -13496,7 +13844,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f32_init_abi(lyapunov_memory_based_f32 *storage, const lyapunov_memory_based_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_memory_based_f32_init(storage, parameters) lyapunov_memory_based_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f32_retune(lyapunov_memory_based_f32 *storage, const lyapunov_memory_based_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_memory_based_f32_save(const lyapunov_memory_based_f32 *storage, lyapunov_memory_based_f32_memory *memory);
@@ -13546,7 +13895,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f64_init_abi(lyapunov_memory_based_f64 *storage, const lyapunov_memory_based_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_memory_based_f64_init(storage, parameters) lyapunov_memory_based_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_memory_based_f64_retune(lyapunov_memory_based_f64 *storage, const lyapunov_memory_based_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_memory_based_f64_save(const lyapunov_memory_based_f64 *storage, lyapunov_memory_based_f64_memory *memory);
@@ -13593,7 +13943,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f32_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f32_init_abi(lyapunov_path_memory_f32 *storage, const lyapunov_path_memory_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_path_memory_f32_init(storage, parameters) lyapunov_path_memory_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f32_retune(lyapunov_path_memory_f32 *storage, const lyapunov_path_memory_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_path_memory_f32_save(const lyapunov_path_memory_f32 *storage, lyapunov_path_memory_f32_memory *memory);
@@ -13632,7 +13983,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f64_memory, word) == 0, lyapunov_p
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f64_init_abi(lyapunov_path_memory_f64 *storage, const lyapunov_path_memory_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_path_memory_f64_init(storage, parameters) lyapunov_path_memory_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_path_memory_f64_retune(lyapunov_path_memory_f64 *storage, const lyapunov_path_memory_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_path_memory_f64_save(const lyapunov_path_memory_f64 *storage, lyapunov_path_memory_f64_memory *memory);
@@ -13668,7 +14020,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32_init_abi(lyapunov_two_port_side_f32 *storage, const lyapunov_two_port_side_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32_init(storage, parameters) lyapunov_two_port_side_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32_retune(lyapunov_two_port_side_f32 *storage, const lyapunov_two_port_side_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32_save(const lyapunov_two_port_side_f32 *storage, lyapunov_two_port_side_f32_memory *memory);
@@ -13716,7 +14069,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64_init_abi(lyapunov_two_port_side_f64 *storage, const lyapunov_two_port_side_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64_init(storage, parameters) lyapunov_two_port_side_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64_retune(lyapunov_two_port_side_f64 *storage, const lyapunov_two_port_side_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64_save(const lyapunov_two_port_side_f64 *storage, lyapunov_two_port_side_f64_memory *memory);
@@ -13764,7 +14118,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x3_init_abi(lyapunov_two_port_side_f32x3 *storage, const lyapunov_two_port_side_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32x3_init(storage, parameters) lyapunov_two_port_side_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x3_retune(lyapunov_two_port_side_f32x3 *storage, const lyapunov_two_port_side_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x3_save(const lyapunov_two_port_side_f32x3 *storage, lyapunov_two_port_side_f32x3_memory *memory);
@@ -13812,7 +14167,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x3_init_abi(lyapunov_two_port_side_f64x3 *storage, const lyapunov_two_port_side_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64x3_init(storage, parameters) lyapunov_two_port_side_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x3_retune(lyapunov_two_port_side_f64x3 *storage, const lyapunov_two_port_side_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x3_save(const lyapunov_two_port_side_f64x3 *storage, lyapunov_two_port_side_f64x3_memory *memory);
@@ -13860,7 +14216,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x6_init_abi(lyapunov_two_port_side_f32x6 *storage, const lyapunov_two_port_side_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32x6_init(storage, parameters) lyapunov_two_port_side_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32x6_retune(lyapunov_two_port_side_f32x6 *storage, const lyapunov_two_port_side_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x6_save(const lyapunov_two_port_side_f32x6 *storage, lyapunov_two_port_side_f32x6_memory *memory);
@@ -13908,7 +14265,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x6_init_abi(lyapunov_two_port_side_f64x6 *storage, const lyapunov_two_port_side_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64x6_init(storage, parameters) lyapunov_two_port_side_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64x6_retune(lyapunov_two_port_side_f64x6 *storage, const lyapunov_two_port_side_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x6_save(const lyapunov_two_port_side_f64x6 *storage, lyapunov_two_port_side_f64x6_memory *memory);
@@ -13956,7 +14314,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32screw_init_abi(lyapunov_two_port_side_f32screw *storage, const lyapunov_two_port_side_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f32screw_init(storage, parameters) lyapunov_two_port_side_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f32screw_retune(lyapunov_two_port_side_f32screw *storage, const lyapunov_two_port_side_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32screw_save(const lyapunov_two_port_side_f32screw *storage, lyapunov_two_port_side_f32screw_memory *memory);
@@ -14004,7 +14363,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64screw_init_abi(lyapunov_two_port_side_f64screw *storage, const lyapunov_two_port_side_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_port_side_f64screw_init(storage, parameters) lyapunov_two_port_side_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_port_side_f64screw_retune(lyapunov_two_port_side_f64screw *storage, const lyapunov_two_port_side_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64screw_save(const lyapunov_two_port_side_f64screw *storage, lyapunov_two_port_side_f64screw_memory *memory);
@@ -14058,7 +14418,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32_init_abi(lyapunov_drift_compensated_f32 *storage, const lyapunov_drift_compensated_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32_init(storage, parameters) lyapunov_drift_compensated_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32_retune(lyapunov_drift_compensated_f32 *storage, const lyapunov_drift_compensated_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32_save(const lyapunov_drift_compensated_f32 *storage, lyapunov_drift_compensated_f32_memory *memory);
@@ -14112,7 +14473,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64_init_abi(lyapunov_drift_compensated_f64 *storage, const lyapunov_drift_compensated_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64_init(storage, parameters) lyapunov_drift_compensated_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64_retune(lyapunov_drift_compensated_f64 *storage, const lyapunov_drift_compensated_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64_save(const lyapunov_drift_compensated_f64 *storage, lyapunov_drift_compensated_f64_memory *memory);
@@ -14166,7 +14528,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x3_init_abi(lyapunov_drift_compensated_f32x3 *storage, const lyapunov_drift_compensated_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32x3_init(storage, parameters) lyapunov_drift_compensated_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x3_retune(lyapunov_drift_compensated_f32x3 *storage, const lyapunov_drift_compensated_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x3_save(const lyapunov_drift_compensated_f32x3 *storage, lyapunov_drift_compensated_f32x3_memory *memory);
@@ -14220,7 +14583,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x3_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x3_init_abi(lyapunov_drift_compensated_f64x3 *storage, const lyapunov_drift_compensated_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64x3_init(storage, parameters) lyapunov_drift_compensated_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x3_retune(lyapunov_drift_compensated_f64x3 *storage, const lyapunov_drift_compensated_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x3_save(const lyapunov_drift_compensated_f64x3 *storage, lyapunov_drift_compensated_f64x3_memory *memory);
@@ -14274,7 +14638,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x6_init_abi(lyapunov_drift_compensated_f32x6 *storage, const lyapunov_drift_compensated_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32x6_init(storage, parameters) lyapunov_drift_compensated_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32x6_retune(lyapunov_drift_compensated_f32x6 *storage, const lyapunov_drift_compensated_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x6_save(const lyapunov_drift_compensated_f32x6 *storage, lyapunov_drift_compensated_f32x6_memory *memory);
@@ -14328,7 +14693,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x6_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x6_init_abi(lyapunov_drift_compensated_f64x6 *storage, const lyapunov_drift_compensated_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64x6_init(storage, parameters) lyapunov_drift_compensated_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64x6_retune(lyapunov_drift_compensated_f64x6 *storage, const lyapunov_drift_compensated_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x6_save(const lyapunov_drift_compensated_f64x6 *storage, lyapunov_drift_compensated_f64x6_memory *memory);
@@ -14382,7 +14748,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32screw_init_abi(lyapunov_drift_compensated_f32screw *storage, const lyapunov_drift_compensated_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f32screw_init(storage, parameters) lyapunov_drift_compensated_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f32screw_retune(lyapunov_drift_compensated_f32screw *storage, const lyapunov_drift_compensated_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32screw_save(const lyapunov_drift_compensated_f32screw *storage, lyapunov_drift_compensated_f32screw_memory *memory);
@@ -14436,7 +14803,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64screw_memory, word) == 0,
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64screw_init_abi(lyapunov_drift_compensated_f64screw *storage, const lyapunov_drift_compensated_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_drift_compensated_f64screw_init(storage, parameters) lyapunov_drift_compensated_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_drift_compensated_f64screw_retune(lyapunov_drift_compensated_f64screw *storage, const lyapunov_drift_compensated_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64screw_save(const lyapunov_drift_compensated_f64screw *storage, lyapunov_drift_compensated_f64screw_memory *memory);
@@ -14493,7 +14861,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32_memory, word) == 0, lyapunov_two
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32_init_abi(lyapunov_two_layer_f32 *storage, const lyapunov_two_layer_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32_init(storage, parameters) lyapunov_two_layer_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32_retune(lyapunov_two_layer_f32 *storage, const lyapunov_two_layer_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32_save(const lyapunov_two_layer_f32 *storage, lyapunov_two_layer_f32_memory *memory);
@@ -14550,7 +14919,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64_memory, word) == 0, lyapunov_two
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64_init_abi(lyapunov_two_layer_f64 *storage, const lyapunov_two_layer_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64_init(storage, parameters) lyapunov_two_layer_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64_retune(lyapunov_two_layer_f64 *storage, const lyapunov_two_layer_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64_save(const lyapunov_two_layer_f64 *storage, lyapunov_two_layer_f64_memory *memory);
@@ -14607,7 +14977,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x3_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x3_init_abi(lyapunov_two_layer_f32x3 *storage, const lyapunov_two_layer_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32x3_init(storage, parameters) lyapunov_two_layer_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x3_retune(lyapunov_two_layer_f32x3 *storage, const lyapunov_two_layer_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32x3_save(const lyapunov_two_layer_f32x3 *storage, lyapunov_two_layer_f32x3_memory *memory);
@@ -14664,7 +15035,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x3_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x3_init_abi(lyapunov_two_layer_f64x3 *storage, const lyapunov_two_layer_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64x3_init(storage, parameters) lyapunov_two_layer_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x3_retune(lyapunov_two_layer_f64x3 *storage, const lyapunov_two_layer_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64x3_save(const lyapunov_two_layer_f64x3 *storage, lyapunov_two_layer_f64x3_memory *memory);
@@ -14721,7 +15093,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x6_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x6_init_abi(lyapunov_two_layer_f32x6 *storage, const lyapunov_two_layer_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32x6_init(storage, parameters) lyapunov_two_layer_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32x6_retune(lyapunov_two_layer_f32x6 *storage, const lyapunov_two_layer_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32x6_save(const lyapunov_two_layer_f32x6 *storage, lyapunov_two_layer_f32x6_memory *memory);
@@ -14778,7 +15151,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x6_memory, word) == 0, lyapunov_t
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x6_init_abi(lyapunov_two_layer_f64x6 *storage, const lyapunov_two_layer_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64x6_init(storage, parameters) lyapunov_two_layer_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64x6_retune(lyapunov_two_layer_f64x6 *storage, const lyapunov_two_layer_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64x6_save(const lyapunov_two_layer_f64x6 *storage, lyapunov_two_layer_f64x6_memory *memory);
@@ -14835,7 +15209,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32screw_init_abi(lyapunov_two_layer_f32screw *storage, const lyapunov_two_layer_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f32screw_init(storage, parameters) lyapunov_two_layer_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f32screw_retune(lyapunov_two_layer_f32screw *storage, const lyapunov_two_layer_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32screw_save(const lyapunov_two_layer_f32screw *storage, lyapunov_two_layer_f32screw_memory *memory);
@@ -14892,7 +15267,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64screw_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64screw_init_abi(lyapunov_two_layer_f64screw *storage, const lyapunov_two_layer_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_two_layer_f64screw_init(storage, parameters) lyapunov_two_layer_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_two_layer_f64screw_retune(lyapunov_two_layer_f64screw *storage, const lyapunov_two_layer_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64screw_save(const lyapunov_two_layer_f64screw *storage, lyapunov_two_layer_f64screw_memory *memory);
@@ -14940,7 +15316,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_init_abi(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32_init(storage, parameters) lyapunov_wave_transform_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_retune(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_save(const lyapunov_wave_transform_f32 *storage, lyapunov_wave_transform_f32_memory *memory);
@@ -14982,7 +15359,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_init_abi(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64_init(storage, parameters) lyapunov_wave_transform_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_retune(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_save(const lyapunov_wave_transform_f64 *storage, lyapunov_wave_transform_f64_memory *memory);
@@ -15024,7 +15402,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_init_abi(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32x3_init(storage, parameters) lyapunov_wave_transform_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_retune(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_save(const lyapunov_wave_transform_f32x3 *storage, lyapunov_wave_transform_f32x3_memory *memory);
@@ -15066,7 +15445,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_init_abi(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64x3_init(storage, parameters) lyapunov_wave_transform_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_retune(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_save(const lyapunov_wave_transform_f64x3 *storage, lyapunov_wave_transform_f64x3_memory *memory);
@@ -15108,7 +15488,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_init_abi(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32x6_init(storage, parameters) lyapunov_wave_transform_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_retune(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_save(const lyapunov_wave_transform_f32x6 *storage, lyapunov_wave_transform_f32x6_memory *memory);
@@ -15150,7 +15531,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_init_abi(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64x6_init(storage, parameters) lyapunov_wave_transform_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_retune(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_save(const lyapunov_wave_transform_f64x6 *storage, lyapunov_wave_transform_f64x6_memory *memory);
@@ -15192,7 +15574,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_init_abi(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f32screw_init(storage, parameters) lyapunov_wave_transform_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_retune(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_save(const lyapunov_wave_transform_f32screw *storage, lyapunov_wave_transform_f32screw_memory *memory);
@@ -15234,7 +15617,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw_memory, word) == 0, ly
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_init_abi(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_transform_f64screw_init(storage, parameters) lyapunov_wave_transform_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_retune(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_save(const lyapunov_wave_transform_f64screw *storage, lyapunov_wave_transform_f64screw_memory *memory);
@@ -15275,7 +15659,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32_memory, word) == 0, lyapunov_w
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32_init_abi(lyapunov_wave_filter_f32 *storage, const lyapunov_wave_filter_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32_init(storage, parameters) lyapunov_wave_filter_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32_retune(lyapunov_wave_filter_f32 *storage, const lyapunov_wave_filter_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32_save(const lyapunov_wave_filter_f32 *storage, lyapunov_wave_filter_f32_memory *memory);
@@ -15310,7 +15695,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64_memory, word) == 0, lyapunov_w
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64_init_abi(lyapunov_wave_filter_f64 *storage, const lyapunov_wave_filter_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64_init(storage, parameters) lyapunov_wave_filter_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64_retune(lyapunov_wave_filter_f64 *storage, const lyapunov_wave_filter_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64_save(const lyapunov_wave_filter_f64 *storage, lyapunov_wave_filter_f64_memory *memory);
@@ -15345,7 +15731,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x3_init_abi(lyapunov_wave_filter_f32x3 *storage, const lyapunov_wave_filter_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32x3_init(storage, parameters) lyapunov_wave_filter_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x3_retune(lyapunov_wave_filter_f32x3 *storage, const lyapunov_wave_filter_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x3_save(const lyapunov_wave_filter_f32x3 *storage, lyapunov_wave_filter_f32x3_memory *memory);
@@ -15380,7 +15767,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x3_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x3_init_abi(lyapunov_wave_filter_f64x3 *storage, const lyapunov_wave_filter_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64x3_init(storage, parameters) lyapunov_wave_filter_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x3_retune(lyapunov_wave_filter_f64x3 *storage, const lyapunov_wave_filter_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x3_save(const lyapunov_wave_filter_f64x3 *storage, lyapunov_wave_filter_f64x3_memory *memory);
@@ -15415,7 +15803,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x6_init_abi(lyapunov_wave_filter_f32x6 *storage, const lyapunov_wave_filter_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32x6_init(storage, parameters) lyapunov_wave_filter_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32x6_retune(lyapunov_wave_filter_f32x6 *storage, const lyapunov_wave_filter_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32x6_save(const lyapunov_wave_filter_f32x6 *storage, lyapunov_wave_filter_f32x6_memory *memory);
@@ -15450,7 +15839,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x6_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x6_init_abi(lyapunov_wave_filter_f64x6 *storage, const lyapunov_wave_filter_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64x6_init(storage, parameters) lyapunov_wave_filter_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64x6_retune(lyapunov_wave_filter_f64x6 *storage, const lyapunov_wave_filter_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64x6_save(const lyapunov_wave_filter_f64x6 *storage, lyapunov_wave_filter_f64x6_memory *memory);
@@ -15485,7 +15875,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32screw_init_abi(lyapunov_wave_filter_f32screw *storage, const lyapunov_wave_filter_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f32screw_init(storage, parameters) lyapunov_wave_filter_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f32screw_retune(lyapunov_wave_filter_f32screw *storage, const lyapunov_wave_filter_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f32screw_save(const lyapunov_wave_filter_f32screw *storage, lyapunov_wave_filter_f32screw_memory *memory);
@@ -15520,7 +15911,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64screw_memory, word) == 0, lyapu
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64screw_init_abi(lyapunov_wave_filter_f64screw *storage, const lyapunov_wave_filter_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_filter_f64screw_init(storage, parameters) lyapunov_wave_filter_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_filter_f64screw_retune(lyapunov_wave_filter_f64screw *storage, const lyapunov_wave_filter_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_filter_f64screw_save(const lyapunov_wave_filter_f64screw *storage, lyapunov_wave_filter_f64screw_memory *memory);
@@ -15563,7 +15955,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_init_abi(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32_init(storage, parameters) lyapunov_wave_follower_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_retune(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32_save(const lyapunov_wave_follower_f32 *storage, lyapunov_wave_follower_f32_memory *memory);
@@ -15607,7 +16000,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_init_abi(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64_init(storage, parameters) lyapunov_wave_follower_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_retune(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64_save(const lyapunov_wave_follower_f64 *storage, lyapunov_wave_follower_f64_memory *memory);
@@ -15651,7 +16045,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_init_abi(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32x3_init(storage, parameters) lyapunov_wave_follower_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_retune(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x3_save(const lyapunov_wave_follower_f32x3 *storage, lyapunov_wave_follower_f32x3_memory *memory);
@@ -15695,7 +16090,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_init_abi(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64x3_init(storage, parameters) lyapunov_wave_follower_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_retune(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x3_save(const lyapunov_wave_follower_f64x3 *storage, lyapunov_wave_follower_f64x3_memory *memory);
@@ -15739,7 +16135,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_init_abi(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32x6_init(storage, parameters) lyapunov_wave_follower_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_retune(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x6_save(const lyapunov_wave_follower_f32x6 *storage, lyapunov_wave_follower_f32x6_memory *memory);
@@ -15783,7 +16180,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_memory, word) == 0, lyapun
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_init_abi(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64x6_init(storage, parameters) lyapunov_wave_follower_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_retune(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x6_save(const lyapunov_wave_follower_f64x6 *storage, lyapunov_wave_follower_f64x6_memory *memory);
@@ -15827,7 +16225,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_init_abi(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f32screw_init(storage, parameters) lyapunov_wave_follower_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_retune(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f32screw_save(const lyapunov_wave_follower_f32screw *storage, lyapunov_wave_follower_f32screw_memory *memory);
@@ -15871,7 +16270,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_memory, word) == 0, lya
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_init_abi(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_wave_follower_f64screw_init(storage, parameters) lyapunov_wave_follower_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_retune(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_wave_follower_f64screw_save(const lyapunov_wave_follower_f64screw *storage, lyapunov_wave_follower_f64screw_memory *memory);
@@ -15908,7 +16308,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32_memory, word) == 0, lyapunov_obse
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32_init_abi(lyapunov_observer_f32 *storage, const lyapunov_observer_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32_init(storage, parameters) lyapunov_observer_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32_retune(lyapunov_observer_f32 *storage, const lyapunov_observer_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32_save(const lyapunov_observer_f32 *storage, lyapunov_observer_f32_memory *memory);
@@ -15944,7 +16345,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64_memory, word) == 0, lyapunov_obse
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64_init_abi(lyapunov_observer_f64 *storage, const lyapunov_observer_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64_init(storage, parameters) lyapunov_observer_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64_retune(lyapunov_observer_f64 *storage, const lyapunov_observer_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64_save(const lyapunov_observer_f64 *storage, lyapunov_observer_f64_memory *memory);
@@ -15980,7 +16382,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32x3_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x3_init_abi(lyapunov_observer_f32x3 *storage, const lyapunov_observer_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32x3_init(storage, parameters) lyapunov_observer_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x3_retune(lyapunov_observer_f32x3 *storage, const lyapunov_observer_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32x3_save(const lyapunov_observer_f32x3 *storage, lyapunov_observer_f32x3_memory *memory);
@@ -16016,7 +16419,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64x3_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x3_init_abi(lyapunov_observer_f64x3 *storage, const lyapunov_observer_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64x3_init(storage, parameters) lyapunov_observer_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x3_retune(lyapunov_observer_f64x3 *storage, const lyapunov_observer_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64x3_save(const lyapunov_observer_f64x3 *storage, lyapunov_observer_f64x3_memory *memory);
@@ -16052,7 +16456,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32x6_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x6_init_abi(lyapunov_observer_f32x6 *storage, const lyapunov_observer_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32x6_init(storage, parameters) lyapunov_observer_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32x6_retune(lyapunov_observer_f32x6 *storage, const lyapunov_observer_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32x6_save(const lyapunov_observer_f32x6 *storage, lyapunov_observer_f32x6_memory *memory);
@@ -16088,7 +16493,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64x6_memory, word) == 0, lyapunov_ob
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x6_init_abi(lyapunov_observer_f64x6 *storage, const lyapunov_observer_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64x6_init(storage, parameters) lyapunov_observer_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64x6_retune(lyapunov_observer_f64x6 *storage, const lyapunov_observer_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64x6_save(const lyapunov_observer_f64x6 *storage, lyapunov_observer_f64x6_memory *memory);
@@ -16124,7 +16530,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32screw_init_abi(lyapunov_observer_f32screw *storage, const lyapunov_observer_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f32screw_init(storage, parameters) lyapunov_observer_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f32screw_retune(lyapunov_observer_f32screw *storage, const lyapunov_observer_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f32screw_save(const lyapunov_observer_f32screw *storage, lyapunov_observer_f32screw_memory *memory);
@@ -16160,7 +16567,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64screw_memory, word) == 0, lyapunov
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64screw_init_abi(lyapunov_observer_f64screw *storage, const lyapunov_observer_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_observer_f64screw_init(storage, parameters) lyapunov_observer_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_observer_f64screw_retune(lyapunov_observer_f64screw *storage, const lyapunov_observer_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_observer_f64screw_save(const lyapunov_observer_f64screw *storage, lyapunov_observer_f64screw_memory *memory);
@@ -16196,13 +16604,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32_init_abi(lyapunov_energy_meter_f32 *storage, const lyapunov_energy_meter_f32_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32_init(storage, parameters) lyapunov_energy_meter_f32_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32_retune(lyapunov_energy_meter_f32 *storage, const lyapunov_energy_meter_f32_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_save(const lyapunov_energy_meter_f32 *storage, lyapunov_energy_meter_f32_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32_restore(lyapunov_energy_meter_f32 *storage, const lyapunov_energy_meter_f32_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_add(lyapunov_energy_meter_f32 *storage, const lyapunov_sample_f32 *sample, const lyapunov_correction_f32 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_summary(const lyapunov_energy_meter_f32 *storage, lyapunov_energy_summary_f32 *summary);
@@ -16234,13 +16644,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64_memory, word) == 0, lyapunov_
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64_init_abi(lyapunov_energy_meter_f64 *storage, const lyapunov_energy_meter_f64_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64_init(storage, parameters) lyapunov_energy_meter_f64_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64_retune(lyapunov_energy_meter_f64 *storage, const lyapunov_energy_meter_f64_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_save(const lyapunov_energy_meter_f64 *storage, lyapunov_energy_meter_f64_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64_restore(lyapunov_energy_meter_f64 *storage, const lyapunov_energy_meter_f64_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_add(lyapunov_energy_meter_f64 *storage, const lyapunov_sample_f64 *sample, const lyapunov_correction_f64 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_summary(const lyapunov_energy_meter_f64 *storage, lyapunov_energy_summary_f64 *summary);
@@ -16272,13 +16684,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x3_init_abi(lyapunov_energy_meter_f32x3 *storage, const lyapunov_energy_meter_f32x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32x3_init(storage, parameters) lyapunov_energy_meter_f32x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x3_retune(lyapunov_energy_meter_f32x3 *storage, const lyapunov_energy_meter_f32x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_save(const lyapunov_energy_meter_f32x3 *storage, lyapunov_energy_meter_f32x3_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x3_restore(lyapunov_energy_meter_f32x3 *storage, const lyapunov_energy_meter_f32x3_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_add(lyapunov_energy_meter_f32x3 *storage, const lyapunov_sample_f32x3 *sample, const lyapunov_correction_f32x3 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_summary(const lyapunov_energy_meter_f32x3 *storage, lyapunov_energy_summary_f32 *summary);
@@ -16310,13 +16724,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64x3_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x3_init_abi(lyapunov_energy_meter_f64x3 *storage, const lyapunov_energy_meter_f64x3_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64x3_init(storage, parameters) lyapunov_energy_meter_f64x3_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x3_retune(lyapunov_energy_meter_f64x3 *storage, const lyapunov_energy_meter_f64x3_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_save(const lyapunov_energy_meter_f64x3 *storage, lyapunov_energy_meter_f64x3_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x3_restore(lyapunov_energy_meter_f64x3 *storage, const lyapunov_energy_meter_f64x3_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_add(lyapunov_energy_meter_f64x3 *storage, const lyapunov_sample_f64x3 *sample, const lyapunov_correction_f64x3 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_summary(const lyapunov_energy_meter_f64x3 *storage, lyapunov_energy_summary_f64 *summary);
@@ -16348,13 +16764,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x6_init_abi(lyapunov_energy_meter_f32x6 *storage, const lyapunov_energy_meter_f32x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32x6_init(storage, parameters) lyapunov_energy_meter_f32x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x6_retune(lyapunov_energy_meter_f32x6 *storage, const lyapunov_energy_meter_f32x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_save(const lyapunov_energy_meter_f32x6 *storage, lyapunov_energy_meter_f32x6_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32x6_restore(lyapunov_energy_meter_f32x6 *storage, const lyapunov_energy_meter_f32x6_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_add(lyapunov_energy_meter_f32x6 *storage, const lyapunov_sample_f32x6 *sample, const lyapunov_correction_f32x6 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_summary(const lyapunov_energy_meter_f32x6 *storage, lyapunov_energy_summary_f32 *summary);
@@ -16386,13 +16804,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64x6_memory, word) == 0, lyapuno
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x6_init_abi(lyapunov_energy_meter_f64x6 *storage, const lyapunov_energy_meter_f64x6_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64x6_init(storage, parameters) lyapunov_energy_meter_f64x6_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x6_retune(lyapunov_energy_meter_f64x6 *storage, const lyapunov_energy_meter_f64x6_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_save(const lyapunov_energy_meter_f64x6 *storage, lyapunov_energy_meter_f64x6_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64x6_restore(lyapunov_energy_meter_f64x6 *storage, const lyapunov_energy_meter_f64x6_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_add(lyapunov_energy_meter_f64x6 *storage, const lyapunov_sample_f64x6 *sample, const lyapunov_correction_f64x6 *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_summary(const lyapunov_energy_meter_f64x6 *storage, lyapunov_energy_summary_f64 *summary);
@@ -16424,13 +16844,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32screw_init_abi(lyapunov_energy_meter_f32screw *storage, const lyapunov_energy_meter_f32screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f32screw_init(storage, parameters) lyapunov_energy_meter_f32screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32screw_retune(lyapunov_energy_meter_f32screw *storage, const lyapunov_energy_meter_f32screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_save(const lyapunov_energy_meter_f32screw *storage, lyapunov_energy_meter_f32screw_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f32screw_restore(lyapunov_energy_meter_f32screw *storage, const lyapunov_energy_meter_f32screw_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_add(lyapunov_energy_meter_f32screw *storage, const lyapunov_sample_f32screw *sample, const lyapunov_correction_f32screw *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_summary(const lyapunov_energy_meter_f32screw *storage, lyapunov_energy_summary_f32 *summary);
@@ -16462,13 +16884,15 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64screw_memory, word) == 0, lyap
    version of the header. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64screw_init_abi(lyapunov_energy_meter_f64screw *storage, const lyapunov_energy_meter_f64screw_parameters *parameters, uint32_t abi);
 #define lyapunov_energy_meter_f64screw_init(storage, parameters) lyapunov_energy_meter_f64screw_init_abi((storage), (parameters), LYAPUNOV_ABI)
-/* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+/* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init
+   alone reads, changes nothing. A refused change changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64screw_retune(lyapunov_energy_meter_f64screw *storage, const lyapunov_energy_meter_f64screw_parameters *parameters);
 /* Takes the memory out, to be stored over a restart. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64screw_save(const lyapunov_energy_meter_f64screw *storage, lyapunov_energy_meter_f64screw_memory *memory);
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_energy_meter_f64screw_restore(lyapunov_energy_meter_f64screw *storage, const lyapunov_energy_meter_f64screw_memory *memory);
-/* Adds a tick. */
+/* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left
+   out and not counted. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64screw_add(lyapunov_energy_meter_f64screw *storage, const lyapunov_sample_f64screw *sample, const lyapunov_correction_f64screw *correction);
 /* Writes the energies up to now. */
 LYAPUNOV_API uint32_t lyapunov_energy_meter_f64screw_summary(const lyapunov_energy_meter_f64screw *storage, lyapunov_energy_summary_f64 *summary);

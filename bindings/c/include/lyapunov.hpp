@@ -2,7 +2,10 @@
 //
 // A header around lyapunov.h: value types, without exceptions, allocation or virtual functions. Names are those of the
 // library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
-// View of them: an array, std::array, a signal, or an Eigen vector.
+// View of them: an array, std::array, a signal, or an Eigen vector whose numbers lie one after another, as those of a row or
+// a diagonal do not: copy these into a vector. A method with a result has no code to tell: of a block that init has not seen,
+// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, and steps and
+// readings what `accepted` 0 says.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #ifndef LYAPUNOV_HPP
@@ -83,13 +86,17 @@ public:
     // A twist or wrench is three numbers of translation and three of rotation, one after another.
     template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>
     View(const Screw<T> &screw) noexcept : numbers_(reinterpret_cast<const T *>(&screw)) {}
-    // Whatever has its size in its type as Eigen has it, and data() of its own: a vector, not an expression.
+    // Whatever has its size and stride in its type as Eigen has them, and data() of its own: a vector, not an expression.
     template <class Vector, std::size_t Size = static_cast<std::size_t>(Vector::SizeAtCompileTime),
               class = decltype(std::declval<const Vector &>().data())>
     View(const Vector &vector) noexcept : numbers_(vector.data())
     {
         static_assert(Size == N, "a vector with as many numbers as the signal");
         static_assert(std::is_same<typename Vector::Scalar, T>::value, "a vector of the signal's number");
+        static_assert(bool(Vector::IsVectorAtCompileTime), "a vector: the numbers of a matrix have no order");
+        // From data() on N numbers are read: of a row or a diagonal they would be others than its own.
+        static_assert(static_cast<int>(Vector::InnerStrideAtCompileTime) == 1,
+                      "numbers one after another: copy a row, a diagonal or what has a stride into a vector first");
     }
     const T *data() const noexcept { return numbers_; }
     static constexpr std::size_t size() noexcept { return N; }
@@ -111,6 +118,12 @@ template <class Form, class T, std::size_t N> Form form(View<T, N> view) noexcep
     return form;
 }
 
+// The candidate of a call: an object itself, which may remember, or a pointer to an ordinary function, which has no address
+// that a context can be.
+template <class Function>
+using Candidate = std::conditional_t<std::is_function<std::remove_reference_t<Function>>::value, std::decay_t<Function>,
+                                     std::remove_reference_t<Function> &>;
+
 template <class Function> void *address(Function &function) noexcept
 {
     return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
@@ -119,6 +132,14 @@ template <class Function> void *address(Function &function) noexcept
 template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
 {
     return (*static_cast<Function *>(function))(*sample);
+}
+
+// What stays where a call that does nothing writes nothing: NaN in each number, and a memory that restore refuses.
+template <class Answer> Answer unanswered() noexcept
+{
+    Answer answer;
+    std::memset(&answer, 0xff, sizeof answer);
+    return answer;
 }
 
 template <class Signal> struct of;
@@ -211,16 +232,16 @@ public:
     using Memory = lyapunov_readings_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32_memory save() const noexcept { lyapunov_readings_f32_memory memory{}; lyapunov_readings_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32_memory>(); lyapunov_readings_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32_memory &memory) noexcept { return Status(lyapunov_readings_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_f32_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_f32_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -235,16 +256,16 @@ public:
     using Memory = lyapunov_readings_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64_memory save() const noexcept { lyapunov_readings_f64_memory memory{}; lyapunov_readings_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64_memory>(); lyapunov_readings_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64_memory &memory) noexcept { return Status(lyapunov_readings_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_f64_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_f64_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -259,16 +280,16 @@ public:
     using Memory = lyapunov_readings_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32x3_memory save() const noexcept { lyapunov_readings_f32x3_memory memory{}; lyapunov_readings_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x3_memory>(); lyapunov_readings_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -283,16 +304,16 @@ public:
     using Memory = lyapunov_readings_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64x3_memory save() const noexcept { lyapunov_readings_f64x3_memory memory{}; lyapunov_readings_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x3_memory>(); lyapunov_readings_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -307,16 +328,16 @@ public:
     using Memory = lyapunov_readings_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32x6_memory save() const noexcept { lyapunov_readings_f32x6_memory memory{}; lyapunov_readings_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x6_memory>(); lyapunov_readings_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -331,16 +352,16 @@ public:
     using Memory = lyapunov_readings_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64x6_memory save() const noexcept { lyapunov_readings_f64x6_memory memory{}; lyapunov_readings_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x6_memory>(); lyapunov_readings_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -355,16 +376,16 @@ public:
     using Memory = lyapunov_readings_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32screw_memory save() const noexcept { lyapunov_readings_f32screw_memory memory{}; lyapunov_readings_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32screw_memory>(); lyapunov_readings_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32screw read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_f32screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_f32screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -379,16 +400,16 @@ public:
     using Memory = lyapunov_readings_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64screw_memory save() const noexcept { lyapunov_readings_f64screw_memory memory{}; lyapunov_readings_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64screw_memory>(); lyapunov_readings_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64screw read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_f64screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_f64screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -406,16 +427,16 @@ public:
     using Memory = lyapunov_readings_measured_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32_memory save() const noexcept { lyapunov_readings_measured_f32_memory memory{}; lyapunov_readings_measured_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32_memory>(); lyapunov_readings_measured_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read_moving(float position, float velocity, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_f32_read_moving(&storage, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read_moving(float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_f32_read_moving(&storage, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed_moving(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_f32_missed_moving(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed_moving(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_f32_missed_moving(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -430,16 +451,16 @@ public:
     using Memory = lyapunov_readings_measured_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64_memory save() const noexcept { lyapunov_readings_measured_f64_memory memory{}; lyapunov_readings_measured_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64_memory>(); lyapunov_readings_measured_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read_moving(double position, double velocity, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_f64_read_moving(&storage, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read_moving(double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_f64_read_moving(&storage, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed_moving(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_f64_missed_moving(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed_moving(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_f64_missed_moving(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -454,16 +475,16 @@ public:
     using Memory = lyapunov_readings_measured_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32x3_memory save() const noexcept { lyapunov_readings_measured_f32x3_memory memory{}; lyapunov_readings_measured_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x3_memory>(); lyapunov_readings_measured_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read_moving(View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_f32x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read_moving(View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_f32x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed_moving(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_f32x3_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed_moving(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_f32x3_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -478,16 +499,16 @@ public:
     using Memory = lyapunov_readings_measured_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64x3_memory save() const noexcept { lyapunov_readings_measured_f64x3_memory memory{}; lyapunov_readings_measured_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x3_memory>(); lyapunov_readings_measured_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read_moving(View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_f64x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read_moving(View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_f64x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed_moving(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_f64x3_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed_moving(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_f64x3_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -502,16 +523,16 @@ public:
     using Memory = lyapunov_readings_measured_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32x6_memory save() const noexcept { lyapunov_readings_measured_f32x6_memory memory{}; lyapunov_readings_measured_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x6_memory>(); lyapunov_readings_measured_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_f32x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_f32x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_f32x6_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_f32x6_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -526,16 +547,16 @@ public:
     using Memory = lyapunov_readings_measured_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64x6_memory save() const noexcept { lyapunov_readings_measured_f64x6_memory memory{}; lyapunov_readings_measured_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x6_memory>(); lyapunov_readings_measured_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_f64x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_f64x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_f64x6_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_f64x6_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -550,16 +571,16 @@ public:
     using Memory = lyapunov_readings_measured_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32screw_memory save() const noexcept { lyapunov_readings_measured_f32screw_memory memory{}; lyapunov_readings_measured_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32screw_memory>(); lyapunov_readings_measured_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32screw read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_measured_f32screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_measured_f32screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -574,16 +595,16 @@ public:
     using Memory = lyapunov_readings_measured_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64screw_memory save() const noexcept { lyapunov_readings_measured_f64screw_memory memory{}; lyapunov_readings_measured_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64screw_memory>(); lyapunov_readings_measured_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64screw read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_measured_f64screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_measured_f64screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -601,16 +622,16 @@ public:
     using Memory = lyapunov_readings_low_passed_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32_memory save() const noexcept { lyapunov_readings_low_passed_f32_memory memory{}; lyapunov_readings_low_passed_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32_memory>(); lyapunov_readings_low_passed_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f32_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_low_passed_f32_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_low_passed_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_low_passed_f32_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_low_passed_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -625,16 +646,16 @@ public:
     using Memory = lyapunov_readings_low_passed_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64_memory save() const noexcept { lyapunov_readings_low_passed_f64_memory memory{}; lyapunov_readings_low_passed_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64_memory>(); lyapunov_readings_low_passed_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f64_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_low_passed_f64_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_low_passed_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_low_passed_f64_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_low_passed_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -649,16 +670,16 @@ public:
     using Memory = lyapunov_readings_low_passed_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32x3_memory save() const noexcept { lyapunov_readings_low_passed_f32x3_memory memory{}; lyapunov_readings_low_passed_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x3_memory>(); lyapunov_readings_low_passed_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_low_passed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_low_passed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_low_passed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_low_passed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -673,16 +694,16 @@ public:
     using Memory = lyapunov_readings_low_passed_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64x3_memory save() const noexcept { lyapunov_readings_low_passed_f64x3_memory memory{}; lyapunov_readings_low_passed_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x3_memory>(); lyapunov_readings_low_passed_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_low_passed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_low_passed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_low_passed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_low_passed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -697,16 +718,16 @@ public:
     using Memory = lyapunov_readings_low_passed_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32x6_memory save() const noexcept { lyapunov_readings_low_passed_f32x6_memory memory{}; lyapunov_readings_low_passed_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x6_memory>(); lyapunov_readings_low_passed_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_low_passed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_low_passed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_low_passed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_low_passed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -721,16 +742,16 @@ public:
     using Memory = lyapunov_readings_low_passed_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64x6_memory save() const noexcept { lyapunov_readings_low_passed_f64x6_memory memory{}; lyapunov_readings_low_passed_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_low_passed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x6_memory>(); lyapunov_readings_low_passed_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_low_passed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_low_passed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_low_passed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_low_passed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_low_passed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -748,16 +769,16 @@ public:
     using Memory = lyapunov_readings_windowed_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32_memory save() const noexcept { lyapunov_readings_windowed_f32_memory memory{}; lyapunov_readings_windowed_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32_memory>(); lyapunov_readings_windowed_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f32_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_windowed_f32_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_windowed_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32 missed(float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_windowed_f32_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_windowed_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -772,16 +793,16 @@ public:
     using Memory = lyapunov_readings_windowed_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64_memory save() const noexcept { lyapunov_readings_windowed_f64_memory memory{}; lyapunov_readings_windowed_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64_memory>(); lyapunov_readings_windowed_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f64_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_windowed_f64_read(&storage, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_windowed_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64 missed(double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_windowed_f64_missed(&storage, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_windowed_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -796,16 +817,16 @@ public:
     using Memory = lyapunov_readings_windowed_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32x3_memory save() const noexcept { lyapunov_readings_windowed_f32x3_memory memory{}; lyapunov_readings_windowed_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x3_memory>(); lyapunov_readings_windowed_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_windowed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_windowed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_windowed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_windowed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -820,16 +841,16 @@ public:
     using Memory = lyapunov_readings_windowed_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64x3_memory save() const noexcept { lyapunov_readings_windowed_f64x3_memory memory{}; lyapunov_readings_windowed_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x3_memory>(); lyapunov_readings_windowed_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_windowed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_windowed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_windowed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_windowed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -844,16 +865,16 @@ public:
     using Memory = lyapunov_readings_windowed_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32x6_memory save() const noexcept { lyapunov_readings_windowed_f32x6_memory memory{}; lyapunov_readings_windowed_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x6_memory>(); lyapunov_readings_windowed_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_windowed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_windowed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_windowed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_windowed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -868,16 +889,16 @@ public:
     using Memory = lyapunov_readings_windowed_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64x6_memory save() const noexcept { lyapunov_readings_windowed_f64x6_memory memory{}; lyapunov_readings_windowed_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_windowed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x6_memory>(); lyapunov_readings_windowed_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_windowed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
-    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_windowed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_windowed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_windowed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_windowed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -895,16 +916,16 @@ public:
     using Memory = lyapunov_readings_clocked_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32_memory save() const noexcept { lyapunov_readings_clocked_f32_memory memory{}; lyapunov_readings_clocked_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32_memory>(); lyapunov_readings_clocked_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32 read_at(double now, float position, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_clocked_f32_read_at(&storage, now, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read_at(double now, float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_clocked_f32_read_at(&storage, now, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32 missed_at(double now, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_clocked_f32_missed_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed_at(double now, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_clocked_f32_missed_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -919,16 +940,16 @@ public:
     using Memory = lyapunov_readings_clocked_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64_memory save() const noexcept { lyapunov_readings_clocked_f64_memory memory{}; lyapunov_readings_clocked_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64_memory>(); lyapunov_readings_clocked_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64 read_at(double now, double position, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_clocked_f64_read_at(&storage, now, position, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read_at(double now, double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_clocked_f64_read_at(&storage, now, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64 missed_at(double now, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_clocked_f64_missed_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed_at(double now, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_clocked_f64_missed_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -943,16 +964,16 @@ public:
     using Memory = lyapunov_readings_clocked_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32x3_memory save() const noexcept { lyapunov_readings_clocked_f32x3_memory memory{}; lyapunov_readings_clocked_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x3_memory>(); lyapunov_readings_clocked_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x3 read_at(double now, View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_clocked_f32x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read_at(double now, View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_clocked_f32x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x3 missed_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_clocked_f32x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_clocked_f32x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -967,16 +988,16 @@ public:
     using Memory = lyapunov_readings_clocked_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64x3_memory save() const noexcept { lyapunov_readings_clocked_f64x3_memory memory{}; lyapunov_readings_clocked_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x3_memory>(); lyapunov_readings_clocked_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x3 read_at(double now, View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_clocked_f64x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read_at(double now, View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_clocked_f64x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x3 missed_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_clocked_f64x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_clocked_f64x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -991,16 +1012,16 @@ public:
     using Memory = lyapunov_readings_clocked_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32x6_memory save() const noexcept { lyapunov_readings_clocked_f32x6_memory memory{}; lyapunov_readings_clocked_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x6_memory>(); lyapunov_readings_clocked_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x6 read_at(double now, View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_clocked_f32x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read_at(double now, View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_clocked_f32x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x6 missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_clocked_f32x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_clocked_f32x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1015,16 +1036,16 @@ public:
     using Memory = lyapunov_readings_clocked_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64x6_memory save() const noexcept { lyapunov_readings_clocked_f64x6_memory memory{}; lyapunov_readings_clocked_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x6_memory>(); lyapunov_readings_clocked_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x6 read_at(double now, View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_clocked_f64x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read_at(double now, View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_clocked_f64x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x6 missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_clocked_f64x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_clocked_f64x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1042,16 +1063,16 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32_memory save() const noexcept { lyapunov_readings_measured_clocked_f32_memory memory{}; lyapunov_readings_measured_clocked_f32_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32_memory>(); lyapunov_readings_measured_clocked_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32 read_moving_at(double now, float position, float velocity, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_clocked_f32_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 read_moving_at(double now, float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_clocked_f32_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32 missed_moving_at(double now, float applied) noexcept { lyapunov_checked_sample_f32 checked{}; lyapunov_readings_measured_clocked_f32_missed_moving_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f32 missed_moving_at(double now, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_clocked_f32_missed_moving_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1066,16 +1087,16 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64_memory save() const noexcept { lyapunov_readings_measured_clocked_f64_memory memory{}; lyapunov_readings_measured_clocked_f64_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64_memory>(); lyapunov_readings_measured_clocked_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64 read_moving_at(double now, double position, double velocity, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_clocked_f64_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 read_moving_at(double now, double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_clocked_f64_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64 missed_moving_at(double now, double applied) noexcept { lyapunov_checked_sample_f64 checked{}; lyapunov_readings_measured_clocked_f64_missed_moving_at(&storage, now, applied, &checked); return checked; }
+    lyapunov_checked_sample_f64 missed_moving_at(double now, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_clocked_f64_missed_moving_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1090,16 +1111,16 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32x3_memory save() const noexcept { lyapunov_readings_measured_clocked_f32x3_memory memory{}; lyapunov_readings_measured_clocked_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x3_memory>(); lyapunov_readings_measured_clocked_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x3 read_moving_at(double now, View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_clocked_f32x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 read_moving_at(double now, View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_clocked_f32x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x3 missed_moving_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); lyapunov_checked_sample_f32x3 checked{}; lyapunov_readings_measured_clocked_f32x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x3 missed_moving_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_clocked_f32x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1114,16 +1135,16 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64x3_memory save() const noexcept { lyapunov_readings_measured_clocked_f64x3_memory memory{}; lyapunov_readings_measured_clocked_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x3_memory>(); lyapunov_readings_measured_clocked_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x3 read_moving_at(double now, View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_clocked_f64x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 read_moving_at(double now, View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_clocked_f64x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x3 missed_moving_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); lyapunov_checked_sample_f64x3 checked{}; lyapunov_readings_measured_clocked_f64x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x3 missed_moving_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_clocked_f64x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x3_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1138,16 +1159,16 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32x6_memory save() const noexcept { lyapunov_readings_measured_clocked_f32x6_memory memory{}; lyapunov_readings_measured_clocked_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x6_memory>(); lyapunov_readings_measured_clocked_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32x6 read_moving_at(double now, View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_clocked_f32x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 read_moving_at(double now, View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_clocked_f32x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32x6 missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); lyapunov_checked_sample_f32x6 checked{}; lyapunov_readings_measured_clocked_f32x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32x6 missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_clocked_f32x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1162,16 +1183,16 @@ public:
     using Memory = lyapunov_readings_measured_clocked_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64x6_memory save() const noexcept { lyapunov_readings_measured_clocked_f64x6_memory memory{}; lyapunov_readings_measured_clocked_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_readings_measured_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x6_memory>(); lyapunov_readings_measured_clocked_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_measured_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64x6 read_moving_at(double now, View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_clocked_f64x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 read_moving_at(double now, View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_clocked_f64x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64x6 missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); lyapunov_checked_sample_f64x6 checked{}; lyapunov_readings_measured_clocked_f64x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64x6 missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_clocked_f64x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x6_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1189,16 +1210,16 @@ public:
     using Memory = lyapunov_readings_of_poses_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_f32screw_memory memory{}; lyapunov_readings_of_poses_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f32screw_memory>(); lyapunov_readings_of_poses_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1213,16 +1234,16 @@ public:
     using Memory = lyapunov_readings_of_poses_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_f64screw_memory memory{}; lyapunov_readings_of_poses_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f64screw_memory>(); lyapunov_readings_of_poses_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1240,16 +1261,16 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_f32screw_memory memory{}; lyapunov_readings_of_poses_measured_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f32screw_memory>(); lyapunov_readings_of_poses_measured_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read_moving(const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_f32screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_moving(const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_f32screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1264,16 +1285,16 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_f64screw_memory memory{}; lyapunov_readings_of_poses_measured_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f64screw_memory>(); lyapunov_readings_of_poses_measured_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read_moving(const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_f64screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_moving(const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_f64screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1291,16 +1312,16 @@ public:
     using Memory = lyapunov_readings_of_poses_low_passed_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_low_passed_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_low_passed_f32screw_memory memory{}; lyapunov_readings_of_poses_low_passed_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_low_passed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f32screw_memory>(); lyapunov_readings_of_poses_low_passed_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_low_passed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_low_passed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_low_passed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_low_passed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_low_passed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1315,16 +1336,16 @@ public:
     using Memory = lyapunov_readings_of_poses_low_passed_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_low_passed_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_low_passed_f64screw_memory memory{}; lyapunov_readings_of_poses_low_passed_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_low_passed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f64screw_memory>(); lyapunov_readings_of_poses_low_passed_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_low_passed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_low_passed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_low_passed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_low_passed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_low_passed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1342,16 +1363,16 @@ public:
     using Memory = lyapunov_readings_of_poses_windowed_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_windowed_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_windowed_f32screw_memory memory{}; lyapunov_readings_of_poses_windowed_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_windowed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f32screw_memory>(); lyapunov_readings_of_poses_windowed_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_windowed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_windowed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_windowed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_windowed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_windowed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1366,16 +1387,16 @@ public:
     using Memory = lyapunov_readings_of_poses_windowed_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_windowed_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_windowed_f64screw_memory memory{}; lyapunov_readings_of_poses_windowed_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_windowed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f64screw_memory>(); lyapunov_readings_of_poses_windowed_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_windowed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
-    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_windowed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_windowed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
-    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_windowed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_windowed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1393,16 +1414,16 @@ public:
     using Memory = lyapunov_readings_of_poses_clocked_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_clocked_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_clocked_f32screw_memory memory{}; lyapunov_readings_of_poses_clocked_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f32screw_memory>(); lyapunov_readings_of_poses_clocked_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32screw read_at(double now, const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_clocked_f32screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_at(double now, const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_clocked_f32screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32screw missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_clocked_f32screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_clocked_f32screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1417,16 +1438,16 @@ public:
     using Memory = lyapunov_readings_of_poses_clocked_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_clocked_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_clocked_f64screw_memory memory{}; lyapunov_readings_of_poses_clocked_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f64screw_memory>(); lyapunov_readings_of_poses_clocked_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64screw read_at(double now, const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_clocked_f64screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_at(double now, const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_clocked_f64screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64screw missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_clocked_f64screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_clocked_f64screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1444,16 +1465,16 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_clocked_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_clocked_f32screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_clocked_f32screw_memory memory{}; lyapunov_readings_of_poses_measured_clocked_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f32screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f32screw read_moving_at(double now, const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw read_moving_at(double now, const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f32screw missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); lyapunov_checked_sample_f32screw checked{}; lyapunov_readings_of_poses_measured_clocked_f32screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f32screw missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_clocked_f32screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f32screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1468,16 +1489,16 @@ public:
     using Memory = lyapunov_readings_of_poses_measured_clocked_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_clocked_f64screw_memory save() const noexcept { lyapunov_readings_of_poses_measured_clocked_f64screw_memory memory{}; lyapunov_readings_of_poses_measured_clocked_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_readings_of_poses_measured_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f64screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_readings_of_poses_measured_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
-    lyapunov_checked_sample_f64screw read_moving_at(double now, const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw read_moving_at(double now, const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
-    lyapunov_checked_sample_f64screw missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); lyapunov_checked_sample_f64screw checked{}; lyapunov_readings_of_poses_measured_clocked_f64screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
+    lyapunov_checked_sample_f64screw missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_clocked_f64screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f64screw_restart(&storage)); }
     /* The same bytes: the same block in the same state. */
@@ -1486,7 +1507,7 @@ public:
     lyapunov_readings_of_poses_measured_clocked_f64screw storage{};
 };
 
-/* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. */
+/* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2 mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a sum that keeps them, or bounded_credit. */
 template <class Signal> class Popc;
 
 template <> class Popc<float> {
@@ -1495,14 +1516,14 @@ public:
     using Memory = lyapunov_popc_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32_memory save() const noexcept { lyapunov_popc_f32_memory memory{}; lyapunov_popc_f32_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32_memory>(); lyapunov_popc_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32_memory &memory) noexcept { return Status(lyapunov_popc_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_popc_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_popc_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1523,14 +1544,14 @@ public:
     using Memory = lyapunov_popc_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64_memory save() const noexcept { lyapunov_popc_f64_memory memory{}; lyapunov_popc_f64_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64_memory>(); lyapunov_popc_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64_memory &memory) noexcept { return Status(lyapunov_popc_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_popc_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_popc_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1551,14 +1572,14 @@ public:
     using Memory = lyapunov_popc_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32x3_memory save() const noexcept { lyapunov_popc_f32x3_memory memory{}; lyapunov_popc_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x3_memory>(); lyapunov_popc_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32x3_memory &memory) noexcept { return Status(lyapunov_popc_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_popc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_popc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1579,14 +1600,14 @@ public:
     using Memory = lyapunov_popc_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64x3_memory save() const noexcept { lyapunov_popc_f64x3_memory memory{}; lyapunov_popc_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x3_memory>(); lyapunov_popc_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64x3_memory &memory) noexcept { return Status(lyapunov_popc_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_popc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_popc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1607,14 +1628,14 @@ public:
     using Memory = lyapunov_popc_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32x6_memory save() const noexcept { lyapunov_popc_f32x6_memory memory{}; lyapunov_popc_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x6_memory>(); lyapunov_popc_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32x6_memory &memory) noexcept { return Status(lyapunov_popc_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_popc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_popc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1635,14 +1656,14 @@ public:
     using Memory = lyapunov_popc_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64x6_memory save() const noexcept { lyapunov_popc_f64x6_memory memory{}; lyapunov_popc_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x6_memory>(); lyapunov_popc_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64x6_memory &memory) noexcept { return Status(lyapunov_popc_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_popc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_popc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1663,14 +1684,14 @@ public:
     using Memory = lyapunov_popc_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32screw_memory save() const noexcept { lyapunov_popc_f32screw_memory memory{}; lyapunov_popc_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_popc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32screw_memory>(); lyapunov_popc_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f32screw_memory &memory) noexcept { return Status(lyapunov_popc_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_popc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_popc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_popc_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1691,14 +1712,14 @@ public:
     using Memory = lyapunov_popc_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64screw_memory save() const noexcept { lyapunov_popc_f64screw_memory memory{}; lyapunov_popc_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_popc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64screw_memory>(); lyapunov_popc_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_popc_f64screw_memory &memory) noexcept { return Status(lyapunov_popc_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_popc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_popc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_popc_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1722,14 +1743,14 @@ public:
     using Memory = lyapunov_lolc_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32_memory save() const noexcept { lyapunov_lolc_f32_memory memory{}; lyapunov_lolc_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32_memory>(); lyapunov_lolc_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32_memory &memory) noexcept { return Status(lyapunov_lolc_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1750,14 +1771,14 @@ public:
     using Memory = lyapunov_lolc_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64_memory save() const noexcept { lyapunov_lolc_f64_memory memory{}; lyapunov_lolc_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64_memory>(); lyapunov_lolc_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64_memory &memory) noexcept { return Status(lyapunov_lolc_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1778,14 +1799,14 @@ public:
     using Memory = lyapunov_lolc_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32x3_memory save() const noexcept { lyapunov_lolc_f32x3_memory memory{}; lyapunov_lolc_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x3_memory>(); lyapunov_lolc_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1806,14 +1827,14 @@ public:
     using Memory = lyapunov_lolc_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64x3_memory save() const noexcept { lyapunov_lolc_f64x3_memory memory{}; lyapunov_lolc_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x3_memory>(); lyapunov_lolc_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1834,14 +1855,14 @@ public:
     using Memory = lyapunov_lolc_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32x6_memory save() const noexcept { lyapunov_lolc_f32x6_memory memory{}; lyapunov_lolc_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x6_memory>(); lyapunov_lolc_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1862,14 +1883,14 @@ public:
     using Memory = lyapunov_lolc_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64x6_memory save() const noexcept { lyapunov_lolc_f64x6_memory memory{}; lyapunov_lolc_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x6_memory>(); lyapunov_lolc_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1890,14 +1911,14 @@ public:
     using Memory = lyapunov_lolc_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32screw_memory save() const noexcept { lyapunov_lolc_f32screw_memory memory{}; lyapunov_lolc_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32screw_memory>(); lyapunov_lolc_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1918,14 +1939,14 @@ public:
     using Memory = lyapunov_lolc_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64screw_memory save() const noexcept { lyapunov_lolc_f64screw_memory memory{}; lyapunov_lolc_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64screw_memory>(); lyapunov_lolc_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1949,15 +1970,15 @@ public:
     using Memory = lyapunov_lolc_custom_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32_memory save() const noexcept { lyapunov_lolc_custom_f32_memory memory{}; lyapunov_lolc_custom_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32_memory>(); lyapunov_lolc_custom_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_custom_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_custom_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -1978,15 +1999,15 @@ public:
     using Memory = lyapunov_lolc_custom_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64_memory save() const noexcept { lyapunov_lolc_custom_f64_memory memory{}; lyapunov_lolc_custom_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64_memory>(); lyapunov_lolc_custom_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_custom_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_custom_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2007,15 +2028,15 @@ public:
     using Memory = lyapunov_lolc_custom_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32x3_memory save() const noexcept { lyapunov_lolc_custom_f32x3_memory memory{}; lyapunov_lolc_custom_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x3_memory>(); lyapunov_lolc_custom_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x3_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_custom_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_custom_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2036,15 +2057,15 @@ public:
     using Memory = lyapunov_lolc_custom_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64x3_memory save() const noexcept { lyapunov_lolc_custom_f64x3_memory memory{}; lyapunov_lolc_custom_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x3_memory>(); lyapunov_lolc_custom_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x3_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_custom_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_custom_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2065,15 +2086,15 @@ public:
     using Memory = lyapunov_lolc_custom_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32x6_memory save() const noexcept { lyapunov_lolc_custom_f32x6_memory memory{}; lyapunov_lolc_custom_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x6_memory>(); lyapunov_lolc_custom_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x6_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_custom_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_custom_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2094,15 +2115,15 @@ public:
     using Memory = lyapunov_lolc_custom_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64x6_memory save() const noexcept { lyapunov_lolc_custom_f64x6_memory memory{}; lyapunov_lolc_custom_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x6_memory>(); lyapunov_lolc_custom_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x6_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_custom_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_custom_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2123,15 +2144,15 @@ public:
     using Memory = lyapunov_lolc_custom_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32screw_memory save() const noexcept { lyapunov_lolc_custom_f32screw_memory memory{}; lyapunov_lolc_custom_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32screw_memory>(); lyapunov_lolc_custom_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32screw_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_custom_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_custom_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_custom_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2152,15 +2173,15 @@ public:
     using Memory = lyapunov_lolc_custom_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64screw_memory save() const noexcept { lyapunov_lolc_custom_f64screw_memory memory{}; lyapunov_lolc_custom_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_custom_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64screw_memory>(); lyapunov_lolc_custom_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_custom_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64screw_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_custom_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_custom_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_custom_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2184,15 +2205,15 @@ public:
     using Memory = lyapunov_lolc_storage_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32_memory save() const noexcept { lyapunov_lolc_storage_f32_memory memory{}; lyapunov_lolc_storage_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32_memory>(); lyapunov_lolc_storage_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_storage_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_storage_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2213,15 +2234,15 @@ public:
     using Memory = lyapunov_lolc_storage_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64_memory save() const noexcept { lyapunov_lolc_storage_f64_memory memory{}; lyapunov_lolc_storage_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64_memory>(); lyapunov_lolc_storage_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_storage_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_storage_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2242,15 +2263,15 @@ public:
     using Memory = lyapunov_lolc_storage_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32x3_memory save() const noexcept { lyapunov_lolc_storage_f32x3_memory memory{}; lyapunov_lolc_storage_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x3_memory>(); lyapunov_lolc_storage_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x3_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_storage_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_storage_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2271,15 +2292,15 @@ public:
     using Memory = lyapunov_lolc_storage_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64x3_memory save() const noexcept { lyapunov_lolc_storage_f64x3_memory memory{}; lyapunov_lolc_storage_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x3_memory>(); lyapunov_lolc_storage_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x3_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_storage_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x3>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_storage_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x3>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2300,15 +2321,15 @@ public:
     using Memory = lyapunov_lolc_storage_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32x6_memory save() const noexcept { lyapunov_lolc_storage_f32x6_memory memory{}; lyapunov_lolc_storage_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x6_memory>(); lyapunov_lolc_storage_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x6_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_storage_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_storage_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2329,15 +2350,15 @@ public:
     using Memory = lyapunov_lolc_storage_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64x6_memory save() const noexcept { lyapunov_lolc_storage_f64x6_memory memory{}; lyapunov_lolc_storage_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x6_memory>(); lyapunov_lolc_storage_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x6_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_storage_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64x6>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_storage_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x6>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2358,15 +2379,15 @@ public:
     using Memory = lyapunov_lolc_storage_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32screw_memory save() const noexcept { lyapunov_lolc_storage_f32screw_memory memory{}; lyapunov_lolc_storage_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32screw_memory>(); lyapunov_lolc_storage_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32screw_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_storage_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, float, lyapunov_sample_f32screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_storage_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_storage_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2387,15 +2408,15 @@ public:
     using Memory = lyapunov_lolc_storage_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64screw_memory save() const noexcept { lyapunov_lolc_storage_f64screw_memory memory{}; lyapunov_lolc_storage_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_storage_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64screw_memory>(); lyapunov_lolc_storage_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_storage_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64screw_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_storage_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<Function>, double, lyapunov_sample_f64screw>, detail::address(function), &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_storage_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64screw>, detail::address(candidate), &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_storage_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2419,14 +2440,14 @@ public:
     using Memory = lyapunov_lolc_in_contact_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_in_contact_f32_memory save() const noexcept { lyapunov_lolc_in_contact_f32_memory memory{}; lyapunov_lolc_in_contact_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_in_contact_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f32_memory>(); lyapunov_lolc_in_contact_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_in_contact_f32_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_in_contact_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_in_contact_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_in_contact_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2447,14 +2468,14 @@ public:
     using Memory = lyapunov_lolc_in_contact_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_in_contact_f64_memory save() const noexcept { lyapunov_lolc_in_contact_f64_memory memory{}; lyapunov_lolc_in_contact_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_in_contact_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f64_memory>(); lyapunov_lolc_in_contact_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_in_contact_f64_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_in_contact_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_in_contact_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_in_contact_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2478,14 +2499,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32_memory save() const noexcept { lyapunov_lolc_sampled_f32_memory memory{}; lyapunov_lolc_sampled_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32_memory>(); lyapunov_lolc_sampled_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_sampled_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_sampled_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2506,14 +2527,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64_memory save() const noexcept { lyapunov_lolc_sampled_f64_memory memory{}; lyapunov_lolc_sampled_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64_memory>(); lyapunov_lolc_sampled_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_sampled_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_sampled_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2534,14 +2555,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32x3_memory save() const noexcept { lyapunov_lolc_sampled_f32x3_memory memory{}; lyapunov_lolc_sampled_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x3_memory>(); lyapunov_lolc_sampled_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_sampled_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_sampled_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2562,14 +2583,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64x3_memory save() const noexcept { lyapunov_lolc_sampled_f64x3_memory memory{}; lyapunov_lolc_sampled_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x3_memory>(); lyapunov_lolc_sampled_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_sampled_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_sampled_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2590,14 +2611,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32x6_memory save() const noexcept { lyapunov_lolc_sampled_f32x6_memory memory{}; lyapunov_lolc_sampled_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x6_memory>(); lyapunov_lolc_sampled_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_sampled_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_sampled_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2618,14 +2639,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64x6_memory save() const noexcept { lyapunov_lolc_sampled_f64x6_memory memory{}; lyapunov_lolc_sampled_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x6_memory>(); lyapunov_lolc_sampled_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_sampled_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_sampled_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2646,14 +2667,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32screw_memory save() const noexcept { lyapunov_lolc_sampled_f32screw_memory memory{}; lyapunov_lolc_sampled_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32screw_memory>(); lyapunov_lolc_sampled_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_sampled_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_sampled_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2674,14 +2695,14 @@ public:
     using Memory = lyapunov_lolc_sampled_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64screw_memory save() const noexcept { lyapunov_lolc_sampled_f64screw_memory memory{}; lyapunov_lolc_sampled_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_sampled_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64screw_memory>(); lyapunov_lolc_sampled_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_sampled_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_sampled_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_sampled_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2705,14 +2726,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32_memory save() const noexcept { lyapunov_lolc_compensated_f32_memory memory{}; lyapunov_lolc_compensated_f32_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32_memory>(); lyapunov_lolc_compensated_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_lolc_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2733,14 +2754,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64_memory save() const noexcept { lyapunov_lolc_compensated_f64_memory memory{}; lyapunov_lolc_compensated_f64_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64_memory>(); lyapunov_lolc_compensated_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_lolc_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2761,14 +2782,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32x3_memory save() const noexcept { lyapunov_lolc_compensated_f32x3_memory memory{}; lyapunov_lolc_compensated_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x3_memory>(); lyapunov_lolc_compensated_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_lolc_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2789,14 +2810,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64x3_memory save() const noexcept { lyapunov_lolc_compensated_f64x3_memory memory{}; lyapunov_lolc_compensated_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x3_memory>(); lyapunov_lolc_compensated_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_lolc_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2817,14 +2838,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32x6_memory save() const noexcept { lyapunov_lolc_compensated_f32x6_memory memory{}; lyapunov_lolc_compensated_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x6_memory>(); lyapunov_lolc_compensated_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_lolc_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2845,14 +2866,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64x6_memory save() const noexcept { lyapunov_lolc_compensated_f64x6_memory memory{}; lyapunov_lolc_compensated_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x6_memory>(); lyapunov_lolc_compensated_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_lolc_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2873,14 +2894,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32screw_memory save() const noexcept { lyapunov_lolc_compensated_f32screw_memory memory{}; lyapunov_lolc_compensated_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32screw_memory>(); lyapunov_lolc_compensated_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_lolc_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2901,14 +2922,14 @@ public:
     using Memory = lyapunov_lolc_compensated_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64screw_memory save() const noexcept { lyapunov_lolc_compensated_f64screw_memory memory{}; lyapunov_lolc_compensated_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_lolc_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64screw_memory>(); lyapunov_lolc_compensated_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_lolc_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_lolc_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2932,14 +2953,14 @@ public:
     using Memory = lyapunov_bounded_credit_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32_memory save() const noexcept { lyapunov_bounded_credit_f32_memory memory{}; lyapunov_bounded_credit_f32_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32_memory>(); lyapunov_bounded_credit_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_bounded_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_bounded_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2960,14 +2981,14 @@ public:
     using Memory = lyapunov_bounded_credit_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64_memory save() const noexcept { lyapunov_bounded_credit_f64_memory memory{}; lyapunov_bounded_credit_f64_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64_memory>(); lyapunov_bounded_credit_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_bounded_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_bounded_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -2988,14 +3009,14 @@ public:
     using Memory = lyapunov_bounded_credit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32x3_memory save() const noexcept { lyapunov_bounded_credit_f32x3_memory memory{}; lyapunov_bounded_credit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x3_memory>(); lyapunov_bounded_credit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_bounded_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_bounded_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3016,14 +3037,14 @@ public:
     using Memory = lyapunov_bounded_credit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64x3_memory save() const noexcept { lyapunov_bounded_credit_f64x3_memory memory{}; lyapunov_bounded_credit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x3_memory>(); lyapunov_bounded_credit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_bounded_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_bounded_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3044,14 +3065,14 @@ public:
     using Memory = lyapunov_bounded_credit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32x6_memory save() const noexcept { lyapunov_bounded_credit_f32x6_memory memory{}; lyapunov_bounded_credit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x6_memory>(); lyapunov_bounded_credit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_bounded_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_bounded_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3072,14 +3093,14 @@ public:
     using Memory = lyapunov_bounded_credit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64x6_memory save() const noexcept { lyapunov_bounded_credit_f64x6_memory memory{}; lyapunov_bounded_credit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x6_memory>(); lyapunov_bounded_credit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_bounded_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_bounded_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3100,14 +3121,14 @@ public:
     using Memory = lyapunov_bounded_credit_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32screw_memory save() const noexcept { lyapunov_bounded_credit_f32screw_memory memory{}; lyapunov_bounded_credit_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32screw_memory>(); lyapunov_bounded_credit_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_bounded_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_bounded_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_bounded_credit_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3128,14 +3149,14 @@ public:
     using Memory = lyapunov_bounded_credit_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64screw_memory save() const noexcept { lyapunov_bounded_credit_f64screw_memory memory{}; lyapunov_bounded_credit_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_bounded_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64screw_memory>(); lyapunov_bounded_credit_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_bounded_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_bounded_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_bounded_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_bounded_credit_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3159,14 +3180,14 @@ public:
     using Memory = lyapunov_windowed_credit_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32_memory save() const noexcept { lyapunov_windowed_credit_f32_memory memory{}; lyapunov_windowed_credit_f32_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32_memory>(); lyapunov_windowed_credit_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_windowed_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_windowed_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3187,14 +3208,14 @@ public:
     using Memory = lyapunov_windowed_credit_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64_memory save() const noexcept { lyapunov_windowed_credit_f64_memory memory{}; lyapunov_windowed_credit_f64_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64_memory>(); lyapunov_windowed_credit_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_windowed_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_windowed_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3215,14 +3236,14 @@ public:
     using Memory = lyapunov_windowed_credit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32x3_memory save() const noexcept { lyapunov_windowed_credit_f32x3_memory memory{}; lyapunov_windowed_credit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x3_memory>(); lyapunov_windowed_credit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_windowed_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_windowed_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3243,14 +3264,14 @@ public:
     using Memory = lyapunov_windowed_credit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64x3_memory save() const noexcept { lyapunov_windowed_credit_f64x3_memory memory{}; lyapunov_windowed_credit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x3_memory>(); lyapunov_windowed_credit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_windowed_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_windowed_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3271,14 +3292,14 @@ public:
     using Memory = lyapunov_windowed_credit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32x6_memory save() const noexcept { lyapunov_windowed_credit_f32x6_memory memory{}; lyapunov_windowed_credit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x6_memory>(); lyapunov_windowed_credit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_windowed_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_windowed_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3299,14 +3320,14 @@ public:
     using Memory = lyapunov_windowed_credit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64x6_memory save() const noexcept { lyapunov_windowed_credit_f64x6_memory memory{}; lyapunov_windowed_credit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x6_memory>(); lyapunov_windowed_credit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_windowed_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_windowed_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3327,14 +3348,14 @@ public:
     using Memory = lyapunov_windowed_credit_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32screw_memory save() const noexcept { lyapunov_windowed_credit_f32screw_memory memory{}; lyapunov_windowed_credit_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32screw_memory>(); lyapunov_windowed_credit_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_windowed_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_windowed_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_windowed_credit_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3355,14 +3376,14 @@ public:
     using Memory = lyapunov_windowed_credit_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64screw_memory save() const noexcept { lyapunov_windowed_credit_f64screw_memory memory{}; lyapunov_windowed_credit_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_windowed_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64screw_memory>(); lyapunov_windowed_credit_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_windowed_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_windowed_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_windowed_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_windowed_credit_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3386,14 +3407,14 @@ public:
     using Memory = lyapunov_contact_reset_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_contact_reset_f32_memory save() const noexcept { lyapunov_contact_reset_f32_memory memory{}; lyapunov_contact_reset_f32_save(&storage, &memory); return memory; }
+    lyapunov_contact_reset_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f32_memory>(); lyapunov_contact_reset_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_contact_reset_f32_memory &memory) noexcept { return Status(lyapunov_contact_reset_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_contact_reset_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_contact_reset_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_contact_reset_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3414,14 +3435,14 @@ public:
     using Memory = lyapunov_contact_reset_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_contact_reset_f64_memory save() const noexcept { lyapunov_contact_reset_f64_memory memory{}; lyapunov_contact_reset_f64_save(&storage, &memory); return memory; }
+    lyapunov_contact_reset_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f64_memory>(); lyapunov_contact_reset_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_contact_reset_f64_memory &memory) noexcept { return Status(lyapunov_contact_reset_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_contact_reset_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_contact_reset_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_contact_reset_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3445,14 +3466,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32_memory save() const noexcept { lyapunov_velocity_threshold_f32_memory memory{}; lyapunov_velocity_threshold_f32_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32_memory>(); lyapunov_velocity_threshold_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_velocity_threshold_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_velocity_threshold_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3473,14 +3494,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64_memory save() const noexcept { lyapunov_velocity_threshold_f64_memory memory{}; lyapunov_velocity_threshold_f64_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64_memory>(); lyapunov_velocity_threshold_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_velocity_threshold_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_velocity_threshold_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3501,14 +3522,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32x3_memory save() const noexcept { lyapunov_velocity_threshold_f32x3_memory memory{}; lyapunov_velocity_threshold_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x3_memory>(); lyapunov_velocity_threshold_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_velocity_threshold_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_velocity_threshold_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3529,14 +3550,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64x3_memory save() const noexcept { lyapunov_velocity_threshold_f64x3_memory memory{}; lyapunov_velocity_threshold_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x3_memory>(); lyapunov_velocity_threshold_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_velocity_threshold_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_velocity_threshold_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3557,14 +3578,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32x6_memory save() const noexcept { lyapunov_velocity_threshold_f32x6_memory memory{}; lyapunov_velocity_threshold_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x6_memory>(); lyapunov_velocity_threshold_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_velocity_threshold_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_velocity_threshold_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3585,14 +3606,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64x6_memory save() const noexcept { lyapunov_velocity_threshold_f64x6_memory memory{}; lyapunov_velocity_threshold_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x6_memory>(); lyapunov_velocity_threshold_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_velocity_threshold_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_velocity_threshold_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3613,14 +3634,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32screw_memory save() const noexcept { lyapunov_velocity_threshold_f32screw_memory memory{}; lyapunov_velocity_threshold_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32screw_memory>(); lyapunov_velocity_threshold_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f32screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_velocity_threshold_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_velocity_threshold_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3641,14 +3662,14 @@ public:
     using Memory = lyapunov_velocity_threshold_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64screw_memory save() const noexcept { lyapunov_velocity_threshold_f64screw_memory memory{}; lyapunov_velocity_threshold_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_velocity_threshold_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64screw_memory>(); lyapunov_velocity_threshold_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_velocity_threshold_f64screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_velocity_threshold_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_velocity_threshold_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3672,14 +3693,14 @@ public:
     using Memory = lyapunov_spread_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32_memory save() const noexcept { lyapunov_spread_f32_memory memory{}; lyapunov_spread_f32_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32_memory>(); lyapunov_spread_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32_memory &memory) noexcept { return Status(lyapunov_spread_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_spread_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_spread_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3700,14 +3721,14 @@ public:
     using Memory = lyapunov_spread_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64_memory save() const noexcept { lyapunov_spread_f64_memory memory{}; lyapunov_spread_f64_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64_memory>(); lyapunov_spread_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64_memory &memory) noexcept { return Status(lyapunov_spread_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_spread_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_spread_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3728,14 +3749,14 @@ public:
     using Memory = lyapunov_spread_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32x3_memory save() const noexcept { lyapunov_spread_f32x3_memory memory{}; lyapunov_spread_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x3_memory>(); lyapunov_spread_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32x3_memory &memory) noexcept { return Status(lyapunov_spread_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_spread_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_spread_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3756,14 +3777,14 @@ public:
     using Memory = lyapunov_spread_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64x3_memory save() const noexcept { lyapunov_spread_f64x3_memory memory{}; lyapunov_spread_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x3_memory>(); lyapunov_spread_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64x3_memory &memory) noexcept { return Status(lyapunov_spread_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_spread_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_spread_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3784,14 +3805,14 @@ public:
     using Memory = lyapunov_spread_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32x6_memory save() const noexcept { lyapunov_spread_f32x6_memory memory{}; lyapunov_spread_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x6_memory>(); lyapunov_spread_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32x6_memory &memory) noexcept { return Status(lyapunov_spread_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_spread_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_spread_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3812,14 +3833,14 @@ public:
     using Memory = lyapunov_spread_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64x6_memory save() const noexcept { lyapunov_spread_f64x6_memory memory{}; lyapunov_spread_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x6_memory>(); lyapunov_spread_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64x6_memory &memory) noexcept { return Status(lyapunov_spread_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_spread_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_spread_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3840,14 +3861,14 @@ public:
     using Memory = lyapunov_spread_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32screw_memory save() const noexcept { lyapunov_spread_f32screw_memory memory{}; lyapunov_spread_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_spread_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32screw_memory>(); lyapunov_spread_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f32screw_memory &memory) noexcept { return Status(lyapunov_spread_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_spread_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_spread_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_spread_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3868,14 +3889,14 @@ public:
     using Memory = lyapunov_spread_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64screw_memory save() const noexcept { lyapunov_spread_f64screw_memory memory{}; lyapunov_spread_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_spread_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64screw_memory>(); lyapunov_spread_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_spread_f64screw_memory &memory) noexcept { return Status(lyapunov_spread_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_spread_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_spread_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_spread_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3899,14 +3920,14 @@ public:
     using Memory = lyapunov_soft_start_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32_memory save() const noexcept { lyapunov_soft_start_f32_memory memory{}; lyapunov_soft_start_f32_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32_memory>(); lyapunov_soft_start_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32_memory &memory) noexcept { return Status(lyapunov_soft_start_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_soft_start_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_soft_start_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3927,14 +3948,14 @@ public:
     using Memory = lyapunov_soft_start_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64_memory save() const noexcept { lyapunov_soft_start_f64_memory memory{}; lyapunov_soft_start_f64_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64_memory>(); lyapunov_soft_start_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64_memory &memory) noexcept { return Status(lyapunov_soft_start_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_soft_start_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_soft_start_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3955,14 +3976,14 @@ public:
     using Memory = lyapunov_soft_start_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32x3_memory save() const noexcept { lyapunov_soft_start_f32x3_memory memory{}; lyapunov_soft_start_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x3_memory>(); lyapunov_soft_start_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_soft_start_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_soft_start_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -3983,14 +4004,14 @@ public:
     using Memory = lyapunov_soft_start_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64x3_memory save() const noexcept { lyapunov_soft_start_f64x3_memory memory{}; lyapunov_soft_start_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x3_memory>(); lyapunov_soft_start_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_soft_start_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_soft_start_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4011,14 +4032,14 @@ public:
     using Memory = lyapunov_soft_start_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32x6_memory save() const noexcept { lyapunov_soft_start_f32x6_memory memory{}; lyapunov_soft_start_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x6_memory>(); lyapunov_soft_start_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_soft_start_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_soft_start_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4039,14 +4060,14 @@ public:
     using Memory = lyapunov_soft_start_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64x6_memory save() const noexcept { lyapunov_soft_start_f64x6_memory memory{}; lyapunov_soft_start_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x6_memory>(); lyapunov_soft_start_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_soft_start_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_soft_start_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4067,14 +4088,14 @@ public:
     using Memory = lyapunov_soft_start_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32screw_memory save() const noexcept { lyapunov_soft_start_f32screw_memory memory{}; lyapunov_soft_start_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32screw_memory>(); lyapunov_soft_start_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f32screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_soft_start_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_soft_start_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_soft_start_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4095,14 +4116,14 @@ public:
     using Memory = lyapunov_soft_start_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64screw_memory save() const noexcept { lyapunov_soft_start_f64screw_memory memory{}; lyapunov_soft_start_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_soft_start_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64screw_memory>(); lyapunov_soft_start_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_soft_start_f64screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_soft_start_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_soft_start_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_soft_start_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4126,14 +4147,14 @@ public:
     using Memory = lyapunov_rate_limit_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32_memory save() const noexcept { lyapunov_rate_limit_f32_memory memory{}; lyapunov_rate_limit_f32_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32_memory>(); lyapunov_rate_limit_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_rate_limit_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_rate_limit_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4154,14 +4175,14 @@ public:
     using Memory = lyapunov_rate_limit_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64_memory save() const noexcept { lyapunov_rate_limit_f64_memory memory{}; lyapunov_rate_limit_f64_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64_memory>(); lyapunov_rate_limit_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_rate_limit_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_rate_limit_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4182,14 +4203,14 @@ public:
     using Memory = lyapunov_rate_limit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32x3_memory save() const noexcept { lyapunov_rate_limit_f32x3_memory memory{}; lyapunov_rate_limit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x3_memory>(); lyapunov_rate_limit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_rate_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_rate_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4210,14 +4231,14 @@ public:
     using Memory = lyapunov_rate_limit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64x3_memory save() const noexcept { lyapunov_rate_limit_f64x3_memory memory{}; lyapunov_rate_limit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x3_memory>(); lyapunov_rate_limit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_rate_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_rate_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4238,14 +4259,14 @@ public:
     using Memory = lyapunov_rate_limit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32x6_memory save() const noexcept { lyapunov_rate_limit_f32x6_memory memory{}; lyapunov_rate_limit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x6_memory>(); lyapunov_rate_limit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_rate_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_rate_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4266,14 +4287,14 @@ public:
     using Memory = lyapunov_rate_limit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64x6_memory save() const noexcept { lyapunov_rate_limit_f64x6_memory memory{}; lyapunov_rate_limit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x6_memory>(); lyapunov_rate_limit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_rate_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_rate_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4294,14 +4315,14 @@ public:
     using Memory = lyapunov_rate_limit_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32screw_memory save() const noexcept { lyapunov_rate_limit_f32screw_memory memory{}; lyapunov_rate_limit_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32screw_memory>(); lyapunov_rate_limit_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f32screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_rate_limit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_rate_limit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_rate_limit_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4322,14 +4343,14 @@ public:
     using Memory = lyapunov_rate_limit_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64screw_memory save() const noexcept { lyapunov_rate_limit_f64screw_memory memory{}; lyapunov_rate_limit_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_rate_limit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64screw_memory>(); lyapunov_rate_limit_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_rate_limit_f64screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_rate_limit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_rate_limit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_rate_limit_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4353,14 +4374,14 @@ public:
     using Memory = lyapunov_axis_weights_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32_memory save() const noexcept { lyapunov_axis_weights_f32_memory memory{}; lyapunov_axis_weights_f32_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32_memory>(); lyapunov_axis_weights_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_axis_weights_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_axis_weights_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4381,14 +4402,14 @@ public:
     using Memory = lyapunov_axis_weights_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64_memory save() const noexcept { lyapunov_axis_weights_f64_memory memory{}; lyapunov_axis_weights_f64_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64_memory>(); lyapunov_axis_weights_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_axis_weights_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_axis_weights_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4409,14 +4430,14 @@ public:
     using Memory = lyapunov_axis_weights_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32x3_memory save() const noexcept { lyapunov_axis_weights_f32x3_memory memory{}; lyapunov_axis_weights_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x3_memory>(); lyapunov_axis_weights_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_axis_weights_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_axis_weights_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4437,14 +4458,14 @@ public:
     using Memory = lyapunov_axis_weights_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64x3_memory save() const noexcept { lyapunov_axis_weights_f64x3_memory memory{}; lyapunov_axis_weights_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x3_memory>(); lyapunov_axis_weights_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_axis_weights_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_axis_weights_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4465,14 +4486,14 @@ public:
     using Memory = lyapunov_axis_weights_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32x6_memory save() const noexcept { lyapunov_axis_weights_f32x6_memory memory{}; lyapunov_axis_weights_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x6_memory>(); lyapunov_axis_weights_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_axis_weights_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_axis_weights_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4493,14 +4514,14 @@ public:
     using Memory = lyapunov_axis_weights_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64x6_memory save() const noexcept { lyapunov_axis_weights_f64x6_memory memory{}; lyapunov_axis_weights_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x6_memory>(); lyapunov_axis_weights_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_axis_weights_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_axis_weights_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4521,14 +4542,14 @@ public:
     using Memory = lyapunov_axis_weights_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32screw_memory save() const noexcept { lyapunov_axis_weights_f32screw_memory memory{}; lyapunov_axis_weights_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32screw_memory>(); lyapunov_axis_weights_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f32screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_axis_weights_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_axis_weights_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_axis_weights_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4549,14 +4570,14 @@ public:
     using Memory = lyapunov_axis_weights_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64screw_memory save() const noexcept { lyapunov_axis_weights_f64screw_memory memory{}; lyapunov_axis_weights_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_axis_weights_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64screw_memory>(); lyapunov_axis_weights_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_axis_weights_f64screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_axis_weights_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_axis_weights_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_axis_weights_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4580,14 +4601,14 @@ public:
     using Memory = lyapunov_along_direction_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32_memory save() const noexcept { lyapunov_along_direction_f32_memory memory{}; lyapunov_along_direction_f32_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32_memory>(); lyapunov_along_direction_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32_memory &memory) noexcept { return Status(lyapunov_along_direction_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_along_direction_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_along_direction_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4608,14 +4629,14 @@ public:
     using Memory = lyapunov_along_direction_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64_memory save() const noexcept { lyapunov_along_direction_f64_memory memory{}; lyapunov_along_direction_f64_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64_memory>(); lyapunov_along_direction_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64_memory &memory) noexcept { return Status(lyapunov_along_direction_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_along_direction_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_along_direction_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4636,14 +4657,14 @@ public:
     using Memory = lyapunov_along_direction_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32x3_memory save() const noexcept { lyapunov_along_direction_f32x3_memory memory{}; lyapunov_along_direction_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x3_memory>(); lyapunov_along_direction_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_along_direction_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_along_direction_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4664,14 +4685,14 @@ public:
     using Memory = lyapunov_along_direction_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64x3_memory save() const noexcept { lyapunov_along_direction_f64x3_memory memory{}; lyapunov_along_direction_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x3_memory>(); lyapunov_along_direction_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_along_direction_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_along_direction_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4692,14 +4713,14 @@ public:
     using Memory = lyapunov_along_direction_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32x6_memory save() const noexcept { lyapunov_along_direction_f32x6_memory memory{}; lyapunov_along_direction_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x6_memory>(); lyapunov_along_direction_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_along_direction_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_along_direction_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4720,14 +4741,14 @@ public:
     using Memory = lyapunov_along_direction_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64x6_memory save() const noexcept { lyapunov_along_direction_f64x6_memory memory{}; lyapunov_along_direction_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x6_memory>(); lyapunov_along_direction_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_along_direction_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_along_direction_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4748,14 +4769,14 @@ public:
     using Memory = lyapunov_along_direction_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32screw_memory save() const noexcept { lyapunov_along_direction_f32screw_memory memory{}; lyapunov_along_direction_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32screw_memory>(); lyapunov_along_direction_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f32screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_along_direction_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_along_direction_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_along_direction_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4776,14 +4797,14 @@ public:
     using Memory = lyapunov_along_direction_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64screw_memory save() const noexcept { lyapunov_along_direction_f64screw_memory memory{}; lyapunov_along_direction_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_along_direction_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64screw_memory>(); lyapunov_along_direction_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_along_direction_f64screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_along_direction_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_along_direction_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_along_direction_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4807,14 +4828,14 @@ public:
     using Memory = lyapunov_inertia_metric_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f32x3_memory save() const noexcept { lyapunov_inertia_metric_f32x3_memory memory{}; lyapunov_inertia_metric_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x3_memory>(); lyapunov_inertia_metric_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_inertia_metric_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_metric_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4835,14 +4856,14 @@ public:
     using Memory = lyapunov_inertia_metric_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f64x3_memory save() const noexcept { lyapunov_inertia_metric_f64x3_memory memory{}; lyapunov_inertia_metric_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x3_memory>(); lyapunov_inertia_metric_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_inertia_metric_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_metric_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4863,14 +4884,14 @@ public:
     using Memory = lyapunov_inertia_metric_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f32x6_memory save() const noexcept { lyapunov_inertia_metric_f32x6_memory memory{}; lyapunov_inertia_metric_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x6_memory>(); lyapunov_inertia_metric_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_inertia_metric_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_metric_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4891,14 +4912,14 @@ public:
     using Memory = lyapunov_inertia_metric_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f64x6_memory save() const noexcept { lyapunov_inertia_metric_f64x6_memory memory{}; lyapunov_inertia_metric_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_metric_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x6_memory>(); lyapunov_inertia_metric_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_metric_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_inertia_metric_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_metric_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4922,14 +4943,14 @@ public:
     using Memory = lyapunov_inertia_limit_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f32x3_memory save() const noexcept { lyapunov_inertia_limit_f32x3_memory memory{}; lyapunov_inertia_limit_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x3_memory>(); lyapunov_inertia_limit_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_inertia_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4950,14 +4971,14 @@ public:
     using Memory = lyapunov_inertia_limit_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f64x3_memory save() const noexcept { lyapunov_inertia_limit_f64x3_memory memory{}; lyapunov_inertia_limit_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x3_memory>(); lyapunov_inertia_limit_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_inertia_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -4978,14 +4999,14 @@ public:
     using Memory = lyapunov_inertia_limit_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f32x6_memory save() const noexcept { lyapunov_inertia_limit_f32x6_memory memory{}; lyapunov_inertia_limit_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x6_memory>(); lyapunov_inertia_limit_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_inertia_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5006,14 +5027,14 @@ public:
     using Memory = lyapunov_inertia_limit_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f64x6_memory save() const noexcept { lyapunov_inertia_limit_f64x6_memory memory{}; lyapunov_inertia_limit_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_inertia_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x6_memory>(); lyapunov_inertia_limit_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_inertia_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_inertia_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5037,14 +5058,14 @@ public:
     using Memory = lyapunov_plausible_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32_memory save() const noexcept { lyapunov_plausible_f32_memory memory{}; lyapunov_plausible_f32_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32_memory>(); lyapunov_plausible_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32_memory &memory) noexcept { return Status(lyapunov_plausible_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_plausible_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_plausible_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5065,14 +5086,14 @@ public:
     using Memory = lyapunov_plausible_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64_memory save() const noexcept { lyapunov_plausible_f64_memory memory{}; lyapunov_plausible_f64_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64_memory>(); lyapunov_plausible_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64_memory &memory) noexcept { return Status(lyapunov_plausible_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_plausible_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_plausible_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5093,14 +5114,14 @@ public:
     using Memory = lyapunov_plausible_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32x3_memory save() const noexcept { lyapunov_plausible_f32x3_memory memory{}; lyapunov_plausible_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x3_memory>(); lyapunov_plausible_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32x3_memory &memory) noexcept { return Status(lyapunov_plausible_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_plausible_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_plausible_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5121,14 +5142,14 @@ public:
     using Memory = lyapunov_plausible_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64x3_memory save() const noexcept { lyapunov_plausible_f64x3_memory memory{}; lyapunov_plausible_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x3_memory>(); lyapunov_plausible_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64x3_memory &memory) noexcept { return Status(lyapunov_plausible_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_plausible_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_plausible_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5149,14 +5170,14 @@ public:
     using Memory = lyapunov_plausible_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32x6_memory save() const noexcept { lyapunov_plausible_f32x6_memory memory{}; lyapunov_plausible_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x6_memory>(); lyapunov_plausible_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32x6_memory &memory) noexcept { return Status(lyapunov_plausible_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_plausible_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_plausible_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5177,14 +5198,14 @@ public:
     using Memory = lyapunov_plausible_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64x6_memory save() const noexcept { lyapunov_plausible_f64x6_memory memory{}; lyapunov_plausible_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x6_memory>(); lyapunov_plausible_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64x6_memory &memory) noexcept { return Status(lyapunov_plausible_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_plausible_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_plausible_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5205,14 +5226,14 @@ public:
     using Memory = lyapunov_plausible_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32screw_memory save() const noexcept { lyapunov_plausible_f32screw_memory memory{}; lyapunov_plausible_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32screw_memory>(); lyapunov_plausible_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f32screw_memory &memory) noexcept { return Status(lyapunov_plausible_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_plausible_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_plausible_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_plausible_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5233,14 +5254,14 @@ public:
     using Memory = lyapunov_plausible_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64screw_memory save() const noexcept { lyapunov_plausible_f64screw_memory memory{}; lyapunov_plausible_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_plausible_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64screw_memory>(); lyapunov_plausible_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_plausible_f64screw_memory &memory) noexcept { return Status(lyapunov_plausible_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_plausible_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_plausible_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_plausible_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5264,14 +5285,14 @@ public:
     using Memory = lyapunov_watchdog_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32_memory save() const noexcept { lyapunov_watchdog_f32_memory memory{}; lyapunov_watchdog_f32_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32_memory>(); lyapunov_watchdog_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32_memory &memory) noexcept { return Status(lyapunov_watchdog_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_watchdog_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_watchdog_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5292,14 +5313,14 @@ public:
     using Memory = lyapunov_watchdog_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64_memory save() const noexcept { lyapunov_watchdog_f64_memory memory{}; lyapunov_watchdog_f64_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64_memory>(); lyapunov_watchdog_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64_memory &memory) noexcept { return Status(lyapunov_watchdog_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_watchdog_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_watchdog_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5320,14 +5341,14 @@ public:
     using Memory = lyapunov_watchdog_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32x3_memory save() const noexcept { lyapunov_watchdog_f32x3_memory memory{}; lyapunov_watchdog_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x3_memory>(); lyapunov_watchdog_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_watchdog_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_watchdog_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5348,14 +5369,14 @@ public:
     using Memory = lyapunov_watchdog_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64x3_memory save() const noexcept { lyapunov_watchdog_f64x3_memory memory{}; lyapunov_watchdog_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x3_memory>(); lyapunov_watchdog_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_watchdog_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_watchdog_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5376,14 +5397,14 @@ public:
     using Memory = lyapunov_watchdog_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32x6_memory save() const noexcept { lyapunov_watchdog_f32x6_memory memory{}; lyapunov_watchdog_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x6_memory>(); lyapunov_watchdog_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_watchdog_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_watchdog_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5404,14 +5425,14 @@ public:
     using Memory = lyapunov_watchdog_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64x6_memory save() const noexcept { lyapunov_watchdog_f64x6_memory memory{}; lyapunov_watchdog_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x6_memory>(); lyapunov_watchdog_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_watchdog_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_watchdog_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5432,14 +5453,14 @@ public:
     using Memory = lyapunov_watchdog_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32screw_memory save() const noexcept { lyapunov_watchdog_f32screw_memory memory{}; lyapunov_watchdog_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32screw_memory>(); lyapunov_watchdog_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f32screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_watchdog_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_watchdog_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_watchdog_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5460,14 +5481,14 @@ public:
     using Memory = lyapunov_watchdog_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64screw_memory save() const noexcept { lyapunov_watchdog_f64screw_memory memory{}; lyapunov_watchdog_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_watchdog_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64screw_memory>(); lyapunov_watchdog_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_watchdog_f64screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_watchdog_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_watchdog_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_watchdog_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5491,14 +5512,14 @@ public:
     using Memory = lyapunov_safeguarded_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32_memory save() const noexcept { lyapunov_safeguarded_f32_memory memory{}; lyapunov_safeguarded_f32_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32_memory>(); lyapunov_safeguarded_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_safeguarded_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_safeguarded_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5519,14 +5540,14 @@ public:
     using Memory = lyapunov_safeguarded_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64_memory save() const noexcept { lyapunov_safeguarded_f64_memory memory{}; lyapunov_safeguarded_f64_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64_memory>(); lyapunov_safeguarded_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_safeguarded_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_safeguarded_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5547,14 +5568,14 @@ public:
     using Memory = lyapunov_safeguarded_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32x3_memory save() const noexcept { lyapunov_safeguarded_f32x3_memory memory{}; lyapunov_safeguarded_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x3_memory>(); lyapunov_safeguarded_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_safeguarded_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_safeguarded_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5575,14 +5596,14 @@ public:
     using Memory = lyapunov_safeguarded_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64x3_memory save() const noexcept { lyapunov_safeguarded_f64x3_memory memory{}; lyapunov_safeguarded_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x3_memory>(); lyapunov_safeguarded_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_safeguarded_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_safeguarded_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5603,14 +5624,14 @@ public:
     using Memory = lyapunov_safeguarded_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32x6_memory save() const noexcept { lyapunov_safeguarded_f32x6_memory memory{}; lyapunov_safeguarded_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x6_memory>(); lyapunov_safeguarded_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_safeguarded_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_safeguarded_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5631,14 +5652,14 @@ public:
     using Memory = lyapunov_safeguarded_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64x6_memory save() const noexcept { lyapunov_safeguarded_f64x6_memory memory{}; lyapunov_safeguarded_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x6_memory>(); lyapunov_safeguarded_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_safeguarded_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_safeguarded_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5659,14 +5680,14 @@ public:
     using Memory = lyapunov_safeguarded_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32screw_memory save() const noexcept { lyapunov_safeguarded_f32screw_memory memory{}; lyapunov_safeguarded_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32screw_memory>(); lyapunov_safeguarded_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f32screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_safeguarded_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_safeguarded_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_safeguarded_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5687,14 +5708,14 @@ public:
     using Memory = lyapunov_safeguarded_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64screw_memory save() const noexcept { lyapunov_safeguarded_f64screw_memory memory{}; lyapunov_safeguarded_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_safeguarded_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64screw_memory>(); lyapunov_safeguarded_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_safeguarded_f64screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_safeguarded_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_safeguarded_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_safeguarded_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5718,14 +5739,14 @@ public:
     using Memory = lyapunov_per_axis_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f32x3_memory save() const noexcept { lyapunov_per_axis_f32x3_memory memory{}; lyapunov_per_axis_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x3_memory>(); lyapunov_per_axis_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f32x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_per_axis_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_per_axis_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5738,14 +5759,14 @@ public:
     using Memory = lyapunov_per_axis_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f64x3_memory save() const noexcept { lyapunov_per_axis_f64x3_memory memory{}; lyapunov_per_axis_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x3_memory>(); lyapunov_per_axis_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f64x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_per_axis_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_per_axis_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5758,14 +5779,14 @@ public:
     using Memory = lyapunov_per_axis_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f32x6_memory save() const noexcept { lyapunov_per_axis_f32x6_memory memory{}; lyapunov_per_axis_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x6_memory>(); lyapunov_per_axis_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f32x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_per_axis_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_per_axis_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5778,14 +5799,14 @@ public:
     using Memory = lyapunov_per_axis_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f64x6_memory save() const noexcept { lyapunov_per_axis_f64x6_memory memory{}; lyapunov_per_axis_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_per_axis_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x6_memory>(); lyapunov_per_axis_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_axis_f64x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_per_axis_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_per_axis_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
@@ -5801,14 +5822,14 @@ public:
     using Memory = lyapunov_per_part_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_part_f32screw_memory save() const noexcept { lyapunov_per_part_f32screw_memory memory{}; lyapunov_per_part_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_per_part_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f32screw_memory>(); lyapunov_per_part_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_part_f32screw_memory &memory) noexcept { return Status(lyapunov_per_part_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_per_part_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_per_part_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
@@ -5821,14 +5842,14 @@ public:
     using Memory = lyapunov_per_part_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_part_f64screw_memory save() const noexcept { lyapunov_per_part_f64screw_memory memory{}; lyapunov_per_part_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_per_part_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f64screw_memory>(); lyapunov_per_part_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_per_part_f64screw_memory &memory) noexcept { return Status(lyapunov_per_part_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_per_part_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_per_part_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
@@ -5844,14 +5865,14 @@ public:
     using Memory = lyapunov_part_limits_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_part_limits_f32screw_memory save() const noexcept { lyapunov_part_limits_f32screw_memory memory{}; lyapunov_part_limits_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_part_limits_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f32screw_memory>(); lyapunov_part_limits_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_part_limits_f32screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_part_limits_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_part_limits_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_part_limits_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5872,14 +5893,14 @@ public:
     using Memory = lyapunov_part_limits_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_part_limits_f64screw_memory save() const noexcept { lyapunov_part_limits_f64screw_memory memory{}; lyapunov_part_limits_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_part_limits_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f64screw_memory>(); lyapunov_part_limits_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_part_limits_f64screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_part_limits_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_part_limits_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_part_limits_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5903,14 +5924,14 @@ public:
     using Memory = lyapunov_force_bound_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32_memory save() const noexcept { lyapunov_force_bound_f32_memory memory{}; lyapunov_force_bound_f32_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32_memory>(); lyapunov_force_bound_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32_memory &memory) noexcept { return Status(lyapunov_force_bound_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_force_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5931,14 +5952,14 @@ public:
     using Memory = lyapunov_force_bound_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64_memory save() const noexcept { lyapunov_force_bound_f64_memory memory{}; lyapunov_force_bound_f64_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64_memory>(); lyapunov_force_bound_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64_memory &memory) noexcept { return Status(lyapunov_force_bound_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_force_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5959,14 +5980,14 @@ public:
     using Memory = lyapunov_force_bound_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32x3_memory save() const noexcept { lyapunov_force_bound_f32x3_memory memory{}; lyapunov_force_bound_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x3_memory>(); lyapunov_force_bound_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_force_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -5987,14 +6008,14 @@ public:
     using Memory = lyapunov_force_bound_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64x3_memory save() const noexcept { lyapunov_force_bound_f64x3_memory memory{}; lyapunov_force_bound_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x3_memory>(); lyapunov_force_bound_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_force_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6015,14 +6036,14 @@ public:
     using Memory = lyapunov_force_bound_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32x6_memory save() const noexcept { lyapunov_force_bound_f32x6_memory memory{}; lyapunov_force_bound_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x6_memory>(); lyapunov_force_bound_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_force_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6043,14 +6064,14 @@ public:
     using Memory = lyapunov_force_bound_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64x6_memory save() const noexcept { lyapunov_force_bound_f64x6_memory memory{}; lyapunov_force_bound_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x6_memory>(); lyapunov_force_bound_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_force_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6071,14 +6092,14 @@ public:
     using Memory = lyapunov_force_bound_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32screw_memory save() const noexcept { lyapunov_force_bound_f32screw_memory memory{}; lyapunov_force_bound_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32screw_memory>(); lyapunov_force_bound_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_force_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bound_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6099,14 +6120,14 @@ public:
     using Memory = lyapunov_force_bound_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64screw_memory save() const noexcept { lyapunov_force_bound_f64screw_memory memory{}; lyapunov_force_bound_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64screw_memory>(); lyapunov_force_bound_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_force_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bound_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6130,14 +6151,14 @@ public:
     using Memory = lyapunov_force_bounding_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32_memory save() const noexcept { lyapunov_force_bounding_f32_memory memory{}; lyapunov_force_bounding_f32_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32_memory>(); lyapunov_force_bounding_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_force_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6158,14 +6179,14 @@ public:
     using Memory = lyapunov_force_bounding_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64_memory save() const noexcept { lyapunov_force_bounding_f64_memory memory{}; lyapunov_force_bounding_f64_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64_memory>(); lyapunov_force_bounding_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_force_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6186,14 +6207,14 @@ public:
     using Memory = lyapunov_force_bounding_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32x3_memory save() const noexcept { lyapunov_force_bounding_f32x3_memory memory{}; lyapunov_force_bounding_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x3_memory>(); lyapunov_force_bounding_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_force_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6214,14 +6235,14 @@ public:
     using Memory = lyapunov_force_bounding_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64x3_memory save() const noexcept { lyapunov_force_bounding_f64x3_memory memory{}; lyapunov_force_bounding_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x3_memory>(); lyapunov_force_bounding_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_force_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6242,14 +6263,14 @@ public:
     using Memory = lyapunov_force_bounding_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32x6_memory save() const noexcept { lyapunov_force_bounding_f32x6_memory memory{}; lyapunov_force_bounding_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x6_memory>(); lyapunov_force_bounding_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_force_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6270,14 +6291,14 @@ public:
     using Memory = lyapunov_force_bounding_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64x6_memory save() const noexcept { lyapunov_force_bounding_f64x6_memory memory{}; lyapunov_force_bounding_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x6_memory>(); lyapunov_force_bounding_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_force_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6298,14 +6319,14 @@ public:
     using Memory = lyapunov_force_bounding_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32screw_memory save() const noexcept { lyapunov_force_bounding_f32screw_memory memory{}; lyapunov_force_bounding_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32screw_memory>(); lyapunov_force_bounding_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_force_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_force_bounding_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6326,14 +6347,14 @@ public:
     using Memory = lyapunov_force_bounding_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64screw_memory save() const noexcept { lyapunov_force_bounding_f64screw_memory memory{}; lyapunov_force_bounding_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_force_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64screw_memory>(); lyapunov_force_bounding_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_force_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_force_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_force_bounding_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6357,14 +6378,14 @@ public:
     using Memory = lyapunov_tank_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32_memory save() const noexcept { lyapunov_tank_f32_memory memory{}; lyapunov_tank_f32_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32_memory>(); lyapunov_tank_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32_memory &memory) noexcept { return Status(lyapunov_tank_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_tank_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_tank_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6385,14 +6406,14 @@ public:
     using Memory = lyapunov_tank_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64_memory save() const noexcept { lyapunov_tank_f64_memory memory{}; lyapunov_tank_f64_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64_memory>(); lyapunov_tank_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64_memory &memory) noexcept { return Status(lyapunov_tank_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_tank_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_tank_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6413,14 +6434,14 @@ public:
     using Memory = lyapunov_tank_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32x3_memory save() const noexcept { lyapunov_tank_f32x3_memory memory{}; lyapunov_tank_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x3_memory>(); lyapunov_tank_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_tank_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_tank_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_tank_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6441,14 +6462,14 @@ public:
     using Memory = lyapunov_tank_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64x3_memory save() const noexcept { lyapunov_tank_f64x3_memory memory{}; lyapunov_tank_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x3_memory>(); lyapunov_tank_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_tank_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_tank_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_tank_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6469,14 +6490,14 @@ public:
     using Memory = lyapunov_tank_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32x6_memory save() const noexcept { lyapunov_tank_f32x6_memory memory{}; lyapunov_tank_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x6_memory>(); lyapunov_tank_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_tank_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_tank_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_tank_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6497,14 +6518,14 @@ public:
     using Memory = lyapunov_tank_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64x6_memory save() const noexcept { lyapunov_tank_f64x6_memory memory{}; lyapunov_tank_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x6_memory>(); lyapunov_tank_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_tank_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_tank_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_tank_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6525,14 +6546,14 @@ public:
     using Memory = lyapunov_tank_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32screw_memory save() const noexcept { lyapunov_tank_f32screw_memory memory{}; lyapunov_tank_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32screw_memory>(); lyapunov_tank_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_tank_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_tank_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_tank_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_tank_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6553,14 +6574,14 @@ public:
     using Memory = lyapunov_tank_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64screw_memory save() const noexcept { lyapunov_tank_f64screw_memory memory{}; lyapunov_tank_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64screw_memory>(); lyapunov_tank_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_tank_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_tank_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_tank_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_tank_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6584,14 +6605,14 @@ public:
     using Memory = lyapunov_energy_tank_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32_memory save() const noexcept { lyapunov_energy_tank_f32_memory memory{}; lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32_memory>(); lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    float pass(float period, float dissipated, float wished, float flow) noexcept { float passed{}; lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
+    float pass(float period, float dissipated, float wished, float flow) noexcept { auto passed = detail::unanswered<float>(); lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6606,14 +6627,14 @@ public:
     using Memory = lyapunov_energy_tank_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64_memory save() const noexcept { lyapunov_energy_tank_f64_memory memory{}; lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64_memory>(); lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    double pass(double period, double dissipated, double wished, double flow) noexcept { double passed{}; lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
+    double pass(double period, double dissipated, double wished, double flow) noexcept { auto passed = detail::unanswered<double>(); lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6628,14 +6649,14 @@ public:
     using Memory = lyapunov_energy_tank_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32x3_memory save() const noexcept { lyapunov_energy_tank_f32x3_memory memory{}; lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x3_memory>(); lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x3_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); lyapunov_f32x3 passed{}; lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); auto passed = detail::unanswered<lyapunov_f32x3>(); lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x3_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6650,14 +6671,14 @@ public:
     using Memory = lyapunov_energy_tank_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64x3_memory save() const noexcept { lyapunov_energy_tank_f64x3_memory memory{}; lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x3_memory>(); lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x3_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); lyapunov_f64x3 passed{}; lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); auto passed = detail::unanswered<lyapunov_f64x3>(); lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x3_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6672,14 +6693,14 @@ public:
     using Memory = lyapunov_energy_tank_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32x6_memory save() const noexcept { lyapunov_energy_tank_f32x6_memory memory{}; lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x6_memory>(); lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x6_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); lyapunov_f32x6 passed{}; lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); auto passed = detail::unanswered<lyapunov_f32x6>(); lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x6_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6694,14 +6715,14 @@ public:
     using Memory = lyapunov_energy_tank_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64x6_memory save() const noexcept { lyapunov_energy_tank_f64x6_memory memory{}; lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x6_memory>(); lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x6_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); lyapunov_f64x6 passed{}; lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); auto passed = detail::unanswered<lyapunov_f64x6>(); lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x6_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6716,14 +6737,14 @@ public:
     using Memory = lyapunov_energy_tank_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32screw_memory save() const noexcept { lyapunov_energy_tank_f32screw_memory memory{}; lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32screw_memory>(); lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32screw_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); lyapunov_f32screw passed{}; lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); auto passed = detail::unanswered<lyapunov_f32screw>(); lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32screw_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6738,14 +6759,14 @@ public:
     using Memory = lyapunov_energy_tank_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64screw_memory save() const noexcept { lyapunov_energy_tank_f64screw_memory memory{}; lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64screw_memory>(); lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64screw_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
-    lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); lyapunov_f64screw passed{}; lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
+    lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); auto passed = detail::unanswered<lyapunov_f64screw>(); lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64screw_energy(&storage); }
     /* The same bytes: the same block in the same state. */
@@ -6763,14 +6784,14 @@ public:
     using Memory = lyapunov_energy_bounding_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32_memory save() const noexcept { lyapunov_energy_bounding_f32_memory memory{}; lyapunov_energy_bounding_f32_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32_memory>(); lyapunov_energy_bounding_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_energy_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_energy_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6791,14 +6812,14 @@ public:
     using Memory = lyapunov_energy_bounding_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64_memory save() const noexcept { lyapunov_energy_bounding_f64_memory memory{}; lyapunov_energy_bounding_f64_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64_memory>(); lyapunov_energy_bounding_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_energy_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_energy_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6819,14 +6840,14 @@ public:
     using Memory = lyapunov_energy_bounding_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32x3_memory save() const noexcept { lyapunov_energy_bounding_f32x3_memory memory{}; lyapunov_energy_bounding_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x3_memory>(); lyapunov_energy_bounding_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_energy_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_energy_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6847,14 +6868,14 @@ public:
     using Memory = lyapunov_energy_bounding_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64x3_memory save() const noexcept { lyapunov_energy_bounding_f64x3_memory memory{}; lyapunov_energy_bounding_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x3_memory>(); lyapunov_energy_bounding_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_energy_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_energy_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6875,14 +6896,14 @@ public:
     using Memory = lyapunov_energy_bounding_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32x6_memory save() const noexcept { lyapunov_energy_bounding_f32x6_memory memory{}; lyapunov_energy_bounding_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x6_memory>(); lyapunov_energy_bounding_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_energy_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_energy_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6903,14 +6924,14 @@ public:
     using Memory = lyapunov_energy_bounding_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64x6_memory save() const noexcept { lyapunov_energy_bounding_f64x6_memory memory{}; lyapunov_energy_bounding_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x6_memory>(); lyapunov_energy_bounding_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_energy_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_energy_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6931,14 +6952,14 @@ public:
     using Memory = lyapunov_energy_bounding_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32screw_memory save() const noexcept { lyapunov_energy_bounding_f32screw_memory memory{}; lyapunov_energy_bounding_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32screw_memory>(); lyapunov_energy_bounding_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_energy_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_energy_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_energy_bounding_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6959,14 +6980,14 @@ public:
     using Memory = lyapunov_energy_bounding_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64screw_memory save() const noexcept { lyapunov_energy_bounding_f64screw_memory memory{}; lyapunov_energy_bounding_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64screw_memory>(); lyapunov_energy_bounding_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_energy_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_energy_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_energy_bounding_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -6990,14 +7011,14 @@ public:
     using Memory = lyapunov_least_norm_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32_memory save() const noexcept { lyapunov_least_norm_f32_memory memory{}; lyapunov_least_norm_f32_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32_memory>(); lyapunov_least_norm_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32_memory &memory) noexcept { return Status(lyapunov_least_norm_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_least_norm_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_least_norm_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7018,14 +7039,14 @@ public:
     using Memory = lyapunov_least_norm_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64_memory save() const noexcept { lyapunov_least_norm_f64_memory memory{}; lyapunov_least_norm_f64_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64_memory>(); lyapunov_least_norm_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64_memory &memory) noexcept { return Status(lyapunov_least_norm_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_least_norm_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_least_norm_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7046,14 +7067,14 @@ public:
     using Memory = lyapunov_least_norm_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32x3_memory save() const noexcept { lyapunov_least_norm_f32x3_memory memory{}; lyapunov_least_norm_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x3_memory>(); lyapunov_least_norm_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_least_norm_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_least_norm_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7074,14 +7095,14 @@ public:
     using Memory = lyapunov_least_norm_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64x3_memory save() const noexcept { lyapunov_least_norm_f64x3_memory memory{}; lyapunov_least_norm_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x3_memory>(); lyapunov_least_norm_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_least_norm_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_least_norm_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7102,14 +7123,14 @@ public:
     using Memory = lyapunov_least_norm_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32x6_memory save() const noexcept { lyapunov_least_norm_f32x6_memory memory{}; lyapunov_least_norm_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x6_memory>(); lyapunov_least_norm_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_least_norm_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_least_norm_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7130,14 +7151,14 @@ public:
     using Memory = lyapunov_least_norm_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64x6_memory save() const noexcept { lyapunov_least_norm_f64x6_memory memory{}; lyapunov_least_norm_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x6_memory>(); lyapunov_least_norm_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_least_norm_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_least_norm_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7158,14 +7179,14 @@ public:
     using Memory = lyapunov_least_norm_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32screw_memory save() const noexcept { lyapunov_least_norm_f32screw_memory memory{}; lyapunov_least_norm_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32screw_memory>(); lyapunov_least_norm_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f32screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_least_norm_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_least_norm_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_least_norm_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7186,14 +7207,14 @@ public:
     using Memory = lyapunov_least_norm_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64screw_memory save() const noexcept { lyapunov_least_norm_f64screw_memory memory{}; lyapunov_least_norm_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_least_norm_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64screw_memory>(); lyapunov_least_norm_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_least_norm_f64screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_least_norm_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_least_norm_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_least_norm_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7217,14 +7238,14 @@ public:
     using Memory = lyapunov_slope_bound_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32_memory save() const noexcept { lyapunov_slope_bound_f32_memory memory{}; lyapunov_slope_bound_f32_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32_memory>(); lyapunov_slope_bound_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_slope_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_slope_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7245,14 +7266,14 @@ public:
     using Memory = lyapunov_slope_bound_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64_memory save() const noexcept { lyapunov_slope_bound_f64_memory memory{}; lyapunov_slope_bound_f64_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64_memory>(); lyapunov_slope_bound_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_slope_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_slope_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7273,14 +7294,14 @@ public:
     using Memory = lyapunov_slope_bound_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32x3_memory save() const noexcept { lyapunov_slope_bound_f32x3_memory memory{}; lyapunov_slope_bound_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x3_memory>(); lyapunov_slope_bound_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_slope_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_slope_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7301,14 +7322,14 @@ public:
     using Memory = lyapunov_slope_bound_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64x3_memory save() const noexcept { lyapunov_slope_bound_f64x3_memory memory{}; lyapunov_slope_bound_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x3_memory>(); lyapunov_slope_bound_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_slope_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_slope_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7329,14 +7350,14 @@ public:
     using Memory = lyapunov_slope_bound_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32x6_memory save() const noexcept { lyapunov_slope_bound_f32x6_memory memory{}; lyapunov_slope_bound_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x6_memory>(); lyapunov_slope_bound_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_slope_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_slope_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7357,14 +7378,14 @@ public:
     using Memory = lyapunov_slope_bound_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64x6_memory save() const noexcept { lyapunov_slope_bound_f64x6_memory memory{}; lyapunov_slope_bound_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x6_memory>(); lyapunov_slope_bound_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_slope_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_slope_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7385,14 +7406,14 @@ public:
     using Memory = lyapunov_slope_bound_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32screw_memory save() const noexcept { lyapunov_slope_bound_f32screw_memory memory{}; lyapunov_slope_bound_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32screw_memory>(); lyapunov_slope_bound_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_slope_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_slope_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_slope_bound_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7413,14 +7434,14 @@ public:
     using Memory = lyapunov_slope_bound_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64screw_memory save() const noexcept { lyapunov_slope_bound_f64screw_memory memory{}; lyapunov_slope_bound_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_slope_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64screw_memory>(); lyapunov_slope_bound_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_slope_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_slope_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_slope_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_slope_bound_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7444,14 +7465,14 @@ public:
     using Memory = lyapunov_memory_based_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_memory_based_f32_memory save() const noexcept { lyapunov_memory_based_f32_memory memory{}; lyapunov_memory_based_f32_save(&storage, &memory); return memory; }
+    lyapunov_memory_based_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f32_memory>(); lyapunov_memory_based_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_memory_based_f32_memory &memory) noexcept { return Status(lyapunov_memory_based_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_memory_based_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_memory_based_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_memory_based_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7472,14 +7493,14 @@ public:
     using Memory = lyapunov_memory_based_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_memory_based_f64_memory save() const noexcept { lyapunov_memory_based_f64_memory memory{}; lyapunov_memory_based_f64_save(&storage, &memory); return memory; }
+    lyapunov_memory_based_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f64_memory>(); lyapunov_memory_based_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_memory_based_f64_memory &memory) noexcept { return Status(lyapunov_memory_based_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_memory_based_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_memory_based_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_memory_based_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7503,14 +7524,14 @@ public:
     using Memory = lyapunov_path_memory_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_path_memory_f32_memory save() const noexcept { lyapunov_path_memory_f32_memory memory{}; lyapunov_path_memory_f32_save(&storage, &memory); return memory; }
+    lyapunov_path_memory_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f32_memory>(); lyapunov_path_memory_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_path_memory_f32_memory &memory) noexcept { return Status(lyapunov_path_memory_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_path_memory_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_path_memory_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
@@ -7523,14 +7544,14 @@ public:
     using Memory = lyapunov_path_memory_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_path_memory_f64_memory save() const noexcept { lyapunov_path_memory_f64_memory memory{}; lyapunov_path_memory_f64_save(&storage, &memory); return memory; }
+    lyapunov_path_memory_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f64_memory>(); lyapunov_path_memory_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_path_memory_f64_memory &memory) noexcept { return Status(lyapunov_path_memory_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
@@ -7546,14 +7567,14 @@ public:
     using Memory = lyapunov_two_port_side_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32_memory save() const noexcept { lyapunov_two_port_side_f32_memory memory{}; lyapunov_two_port_side_f32_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32_memory>(); lyapunov_two_port_side_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7578,14 +7599,14 @@ public:
     using Memory = lyapunov_two_port_side_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64_memory save() const noexcept { lyapunov_two_port_side_f64_memory memory{}; lyapunov_two_port_side_f64_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64_memory>(); lyapunov_two_port_side_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7610,14 +7631,14 @@ public:
     using Memory = lyapunov_two_port_side_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32x3_memory save() const noexcept { lyapunov_two_port_side_f32x3_memory memory{}; lyapunov_two_port_side_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x3_memory>(); lyapunov_two_port_side_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7642,14 +7663,14 @@ public:
     using Memory = lyapunov_two_port_side_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64x3_memory save() const noexcept { lyapunov_two_port_side_f64x3_memory memory{}; lyapunov_two_port_side_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x3_memory>(); lyapunov_two_port_side_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7674,14 +7695,14 @@ public:
     using Memory = lyapunov_two_port_side_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32x6_memory save() const noexcept { lyapunov_two_port_side_f32x6_memory memory{}; lyapunov_two_port_side_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x6_memory>(); lyapunov_two_port_side_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7706,14 +7727,14 @@ public:
     using Memory = lyapunov_two_port_side_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64x6_memory save() const noexcept { lyapunov_two_port_side_f64x6_memory memory{}; lyapunov_two_port_side_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x6_memory>(); lyapunov_two_port_side_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7738,14 +7759,14 @@ public:
     using Memory = lyapunov_two_port_side_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32screw_memory save() const noexcept { lyapunov_two_port_side_f32screw_memory memory{}; lyapunov_two_port_side_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32screw_memory>(); lyapunov_two_port_side_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f32screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_port_side_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7770,14 +7791,14 @@ public:
     using Memory = lyapunov_two_port_side_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64screw_memory save() const noexcept { lyapunov_two_port_side_f64screw_memory memory{}; lyapunov_two_port_side_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_two_port_side_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64screw_memory>(); lyapunov_two_port_side_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_port_side_f64screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_port_side_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7805,14 +7826,14 @@ public:
     using Memory = lyapunov_drift_compensated_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32_memory save() const noexcept { lyapunov_drift_compensated_f32_memory memory{}; lyapunov_drift_compensated_f32_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32_memory>(); lyapunov_drift_compensated_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7837,14 +7858,14 @@ public:
     using Memory = lyapunov_drift_compensated_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64_memory save() const noexcept { lyapunov_drift_compensated_f64_memory memory{}; lyapunov_drift_compensated_f64_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64_memory>(); lyapunov_drift_compensated_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7869,14 +7890,14 @@ public:
     using Memory = lyapunov_drift_compensated_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32x3_memory save() const noexcept { lyapunov_drift_compensated_f32x3_memory memory{}; lyapunov_drift_compensated_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x3_memory>(); lyapunov_drift_compensated_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7901,14 +7922,14 @@ public:
     using Memory = lyapunov_drift_compensated_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64x3_memory save() const noexcept { lyapunov_drift_compensated_f64x3_memory memory{}; lyapunov_drift_compensated_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x3_memory>(); lyapunov_drift_compensated_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7933,14 +7954,14 @@ public:
     using Memory = lyapunov_drift_compensated_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32x6_memory save() const noexcept { lyapunov_drift_compensated_f32x6_memory memory{}; lyapunov_drift_compensated_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x6_memory>(); lyapunov_drift_compensated_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7965,14 +7986,14 @@ public:
     using Memory = lyapunov_drift_compensated_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64x6_memory save() const noexcept { lyapunov_drift_compensated_f64x6_memory memory{}; lyapunov_drift_compensated_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x6_memory>(); lyapunov_drift_compensated_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -7997,14 +8018,14 @@ public:
     using Memory = lyapunov_drift_compensated_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32screw_memory save() const noexcept { lyapunov_drift_compensated_f32screw_memory memory{}; lyapunov_drift_compensated_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32screw_memory>(); lyapunov_drift_compensated_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_drift_compensated_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8029,14 +8050,14 @@ public:
     using Memory = lyapunov_drift_compensated_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64screw_memory save() const noexcept { lyapunov_drift_compensated_f64screw_memory memory{}; lyapunov_drift_compensated_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_drift_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64screw_memory>(); lyapunov_drift_compensated_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_drift_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_drift_compensated_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8064,14 +8085,14 @@ public:
     using Memory = lyapunov_two_layer_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32_memory save() const noexcept { lyapunov_two_layer_f32_memory memory{}; lyapunov_two_layer_f32_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32_memory>(); lyapunov_two_layer_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32_memory &memory) noexcept { return Status(lyapunov_two_layer_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { lyapunov_correction_f32 correction{}; lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8096,14 +8117,14 @@ public:
     using Memory = lyapunov_two_layer_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64_memory save() const noexcept { lyapunov_two_layer_f64_memory memory{}; lyapunov_two_layer_f64_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64_memory>(); lyapunov_two_layer_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64_memory &memory) noexcept { return Status(lyapunov_two_layer_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { lyapunov_correction_f64 correction{}; lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
+    lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8128,14 +8149,14 @@ public:
     using Memory = lyapunov_two_layer_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32x3_memory save() const noexcept { lyapunov_two_layer_f32x3_memory memory{}; lyapunov_two_layer_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x3_memory>(); lyapunov_two_layer_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_correction_f32x3 correction{}; lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8160,14 +8181,14 @@ public:
     using Memory = lyapunov_two_layer_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64x3_memory save() const noexcept { lyapunov_two_layer_f64x3_memory memory{}; lyapunov_two_layer_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x3_memory>(); lyapunov_two_layer_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_correction_f64x3 correction{}; lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64x3_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8192,14 +8213,14 @@ public:
     using Memory = lyapunov_two_layer_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32x6_memory save() const noexcept { lyapunov_two_layer_f32x6_memory memory{}; lyapunov_two_layer_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x6_memory>(); lyapunov_two_layer_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_correction_f32x6 correction{}; lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8224,14 +8245,14 @@ public:
     using Memory = lyapunov_two_layer_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64x6_memory save() const noexcept { lyapunov_two_layer_f64x6_memory memory{}; lyapunov_two_layer_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x6_memory>(); lyapunov_two_layer_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_correction_f64x6 correction{}; lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64x6_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8256,14 +8277,14 @@ public:
     using Memory = lyapunov_two_layer_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32screw_memory save() const noexcept { lyapunov_two_layer_f32screw_memory memory{}; lyapunov_two_layer_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32screw_memory>(); lyapunov_two_layer_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f32screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_correction_f32screw correction{}; lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     float observed_energy() const noexcept { return lyapunov_two_layer_f32screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8288,14 +8309,14 @@ public:
     using Memory = lyapunov_two_layer_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64screw_memory save() const noexcept { lyapunov_two_layer_f64screw_memory memory{}; lyapunov_two_layer_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_two_layer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64screw_memory>(); lyapunov_two_layer_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_two_layer_f64screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
-    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_correction_f64screw correction{}; lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
+    lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* The observed energy, J; NaN if the storage is not initialised. */
     double observed_energy() const noexcept { return lyapunov_two_layer_f64screw_observed_energy(&storage); }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
@@ -8323,20 +8344,20 @@ public:
     using Memory = lyapunov_wave_transform_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32_memory save() const noexcept { lyapunov_wave_transform_f32_memory memory{}; lyapunov_wave_transform_f32_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32_memory>(); lyapunov_wave_transform_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32 encode(float flow, float effort) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f32 encode(float flow, float effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32 decode(float there, float back) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f32 decode(float there, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32 effort(float flow, float back) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f32 effort(float flow, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32 flow(float effort, float there) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f32 flow(float effort, float there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8349,20 +8370,20 @@ public:
     using Memory = lyapunov_wave_transform_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64_memory save() const noexcept { lyapunov_wave_transform_f64_memory memory{}; lyapunov_wave_transform_f64_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64_memory>(); lyapunov_wave_transform_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64 encode(double flow, double effort) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f64 encode(double flow, double effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64 decode(double there, double back) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f64 decode(double there, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64 effort(double flow, double back) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f64 effort(double flow, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64 flow(double effort, double there) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f64 flow(double effort, double there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8375,20 +8396,20 @@ public:
     using Memory = lyapunov_wave_transform_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32x3_memory save() const noexcept { lyapunov_wave_transform_f32x3_memory memory{}; lyapunov_wave_transform_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x3_memory>(); lyapunov_wave_transform_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x3_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); lyapunov_wave_f32x3 wave{}; lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8401,20 +8422,20 @@ public:
     using Memory = lyapunov_wave_transform_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64x3_memory save() const noexcept { lyapunov_wave_transform_f64x3_memory memory{}; lyapunov_wave_transform_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x3_memory>(); lyapunov_wave_transform_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x3_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); lyapunov_wave_f64x3 wave{}; lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8427,20 +8448,20 @@ public:
     using Memory = lyapunov_wave_transform_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32x6_memory save() const noexcept { lyapunov_wave_transform_f32x6_memory memory{}; lyapunov_wave_transform_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x6_memory>(); lyapunov_wave_transform_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x6_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); lyapunov_wave_f32x6 wave{}; lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8453,20 +8474,20 @@ public:
     using Memory = lyapunov_wave_transform_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64x6_memory save() const noexcept { lyapunov_wave_transform_f64x6_memory memory{}; lyapunov_wave_transform_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x6_memory>(); lyapunov_wave_transform_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x6_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); lyapunov_wave_f64x6 wave{}; lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8479,20 +8500,20 @@ public:
     using Memory = lyapunov_wave_transform_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32screw_memory save() const noexcept { lyapunov_wave_transform_f32screw_memory memory{}; lyapunov_wave_transform_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32screw_memory>(); lyapunov_wave_transform_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32screw_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); lyapunov_wave_f32screw wave{}; lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8505,20 +8526,20 @@ public:
     using Memory = lyapunov_wave_transform_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64screw_memory save() const noexcept { lyapunov_wave_transform_f64screw_memory memory{}; lyapunov_wave_transform_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_transform_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64screw_memory>(); lyapunov_wave_transform_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_transform_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64screw_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); lyapunov_wave_f64screw wave{}; lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
@@ -8534,14 +8555,14 @@ public:
     using Memory = lyapunov_wave_filter_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32_memory save() const noexcept { lyapunov_wave_filter_f32_memory memory{}; lyapunov_wave_filter_f32_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32_memory>(); lyapunov_wave_filter_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    float pass(float wave) noexcept { float sent{}; lyapunov_wave_filter_f32_pass(&storage, wave, &sent); return sent; }
+    float pass(float wave) noexcept { auto sent = detail::unanswered<float>(); lyapunov_wave_filter_f32_pass(&storage, wave, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8554,14 +8575,14 @@ public:
     using Memory = lyapunov_wave_filter_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64_memory save() const noexcept { lyapunov_wave_filter_f64_memory memory{}; lyapunov_wave_filter_f64_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64_memory>(); lyapunov_wave_filter_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    double pass(double wave) noexcept { double sent{}; lyapunov_wave_filter_f64_pass(&storage, wave, &sent); return sent; }
+    double pass(double wave) noexcept { auto sent = detail::unanswered<double>(); lyapunov_wave_filter_f64_pass(&storage, wave, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8574,14 +8595,14 @@ public:
     using Memory = lyapunov_wave_filter_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32x3_memory save() const noexcept { lyapunov_wave_filter_f32x3_memory memory{}; lyapunov_wave_filter_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x3_memory>(); lyapunov_wave_filter_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x3_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f32x3 pass(View<float, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x3>(wave); lyapunov_f32x3 sent{}; lyapunov_wave_filter_f32x3_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f32x3 pass(View<float, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x3>(wave); auto sent = detail::unanswered<lyapunov_f32x3>(); lyapunov_wave_filter_f32x3_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8594,14 +8615,14 @@ public:
     using Memory = lyapunov_wave_filter_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64x3_memory save() const noexcept { lyapunov_wave_filter_f64x3_memory memory{}; lyapunov_wave_filter_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x3_memory>(); lyapunov_wave_filter_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x3_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f64x3 pass(View<double, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x3>(wave); lyapunov_f64x3 sent{}; lyapunov_wave_filter_f64x3_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f64x3 pass(View<double, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x3>(wave); auto sent = detail::unanswered<lyapunov_f64x3>(); lyapunov_wave_filter_f64x3_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8614,14 +8635,14 @@ public:
     using Memory = lyapunov_wave_filter_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32x6_memory save() const noexcept { lyapunov_wave_filter_f32x6_memory memory{}; lyapunov_wave_filter_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x6_memory>(); lyapunov_wave_filter_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x6_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f32x6 pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x6>(wave); lyapunov_f32x6 sent{}; lyapunov_wave_filter_f32x6_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f32x6 pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x6>(wave); auto sent = detail::unanswered<lyapunov_f32x6>(); lyapunov_wave_filter_f32x6_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8634,14 +8655,14 @@ public:
     using Memory = lyapunov_wave_filter_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64x6_memory save() const noexcept { lyapunov_wave_filter_f64x6_memory memory{}; lyapunov_wave_filter_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x6_memory>(); lyapunov_wave_filter_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x6_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f64x6 pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x6>(wave); lyapunov_f64x6 sent{}; lyapunov_wave_filter_f64x6_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f64x6 pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x6>(wave); auto sent = detail::unanswered<lyapunov_f64x6>(); lyapunov_wave_filter_f64x6_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8654,14 +8675,14 @@ public:
     using Memory = lyapunov_wave_filter_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32screw_memory save() const noexcept { lyapunov_wave_filter_f32screw_memory memory{}; lyapunov_wave_filter_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32screw_memory>(); lyapunov_wave_filter_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32screw_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f32screw pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32screw>(wave); lyapunov_f32screw sent{}; lyapunov_wave_filter_f32screw_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f32screw pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32screw>(wave); auto sent = detail::unanswered<lyapunov_f32screw>(); lyapunov_wave_filter_f32screw_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8674,14 +8695,14 @@ public:
     using Memory = lyapunov_wave_filter_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64screw_memory save() const noexcept { lyapunov_wave_filter_f64screw_memory memory{}; lyapunov_wave_filter_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_filter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64screw_memory>(); lyapunov_wave_filter_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_filter_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64screw_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
-    lyapunov_f64screw pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64screw>(wave); lyapunov_f64screw sent{}; lyapunov_wave_filter_f64screw_pass(&storage, &wave_form, &sent); return sent; }
+    lyapunov_f64screw pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64screw>(wave); auto sent = detail::unanswered<lyapunov_f64screw>(); lyapunov_wave_filter_f64screw_pass(&storage, &wave_form, &sent); return sent; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
@@ -8697,14 +8718,14 @@ public:
     using Memory = lyapunov_wave_follower_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32_memory save() const noexcept { lyapunov_wave_follower_f32_memory memory{}; lyapunov_wave_follower_f32_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32_memory>(); lyapunov_wave_follower_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { lyapunov_wave_f32 wave{}; lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8717,14 +8738,14 @@ public:
     using Memory = lyapunov_wave_follower_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64_memory save() const noexcept { lyapunov_wave_follower_f64_memory memory{}; lyapunov_wave_follower_f64_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64_memory>(); lyapunov_wave_follower_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { lyapunov_wave_f64 wave{}; lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8737,14 +8758,14 @@ public:
     using Memory = lyapunov_wave_follower_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32x3_memory save() const noexcept { lyapunov_wave_follower_f32x3_memory memory{}; lyapunov_wave_follower_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x3_memory>(); lyapunov_wave_follower_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x3_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); lyapunov_wave_f32x3 wave{}; lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8757,14 +8778,14 @@ public:
     using Memory = lyapunov_wave_follower_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64x3_memory save() const noexcept { lyapunov_wave_follower_f64x3_memory memory{}; lyapunov_wave_follower_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x3_memory>(); lyapunov_wave_follower_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x3_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); lyapunov_wave_f64x3 wave{}; lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8777,14 +8798,14 @@ public:
     using Memory = lyapunov_wave_follower_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32x6_memory save() const noexcept { lyapunov_wave_follower_f32x6_memory memory{}; lyapunov_wave_follower_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x6_memory>(); lyapunov_wave_follower_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x6_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); lyapunov_wave_f32x6 wave{}; lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8797,14 +8818,14 @@ public:
     using Memory = lyapunov_wave_follower_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64x6_memory save() const noexcept { lyapunov_wave_follower_f64x6_memory memory{}; lyapunov_wave_follower_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x6_memory>(); lyapunov_wave_follower_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x6_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); lyapunov_wave_f64x6 wave{}; lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8817,14 +8838,14 @@ public:
     using Memory = lyapunov_wave_follower_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32screw_memory save() const noexcept { lyapunov_wave_follower_f32screw_memory memory{}; lyapunov_wave_follower_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32screw_memory>(); lyapunov_wave_follower_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32screw_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); lyapunov_wave_f32screw wave{}; lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8837,14 +8858,14 @@ public:
     using Memory = lyapunov_wave_follower_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64screw_memory save() const noexcept { lyapunov_wave_follower_f64screw_memory memory{}; lyapunov_wave_follower_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_wave_follower_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64screw_memory>(); lyapunov_wave_follower_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_wave_follower_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64screw_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); lyapunov_wave_f64screw wave{}; lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
@@ -8860,14 +8881,14 @@ public:
     using Memory = lyapunov_observer_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32_memory save() const noexcept { lyapunov_observer_f32_memory memory{}; lyapunov_observer_f32_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32_memory>(); lyapunov_observer_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32_memory &memory) noexcept { return Status(lyapunov_observer_f32_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32 &sample) noexcept { float energy{}; lyapunov_observer_f32_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8880,14 +8901,14 @@ public:
     using Memory = lyapunov_observer_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64_memory save() const noexcept { lyapunov_observer_f64_memory memory{}; lyapunov_observer_f64_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64_memory>(); lyapunov_observer_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64_memory &memory) noexcept { return Status(lyapunov_observer_f64_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64 &sample) noexcept { double energy{}; lyapunov_observer_f64_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8900,14 +8921,14 @@ public:
     using Memory = lyapunov_observer_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32x3_memory save() const noexcept { lyapunov_observer_f32x3_memory memory{}; lyapunov_observer_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x3_memory>(); lyapunov_observer_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32x3_memory &memory) noexcept { return Status(lyapunov_observer_f32x3_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32x3 &sample) noexcept { float energy{}; lyapunov_observer_f32x3_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32x3 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x3_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8920,14 +8941,14 @@ public:
     using Memory = lyapunov_observer_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64x3_memory save() const noexcept { lyapunov_observer_f64x3_memory memory{}; lyapunov_observer_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x3_memory>(); lyapunov_observer_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64x3_memory &memory) noexcept { return Status(lyapunov_observer_f64x3_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64x3 &sample) noexcept { double energy{}; lyapunov_observer_f64x3_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64x3 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x3_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8940,14 +8961,14 @@ public:
     using Memory = lyapunov_observer_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32x6_memory save() const noexcept { lyapunov_observer_f32x6_memory memory{}; lyapunov_observer_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x6_memory>(); lyapunov_observer_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32x6_memory &memory) noexcept { return Status(lyapunov_observer_f32x6_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32x6 &sample) noexcept { float energy{}; lyapunov_observer_f32x6_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32x6 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x6_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8960,14 +8981,14 @@ public:
     using Memory = lyapunov_observer_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64x6_memory save() const noexcept { lyapunov_observer_f64x6_memory memory{}; lyapunov_observer_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x6_memory>(); lyapunov_observer_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64x6_memory &memory) noexcept { return Status(lyapunov_observer_f64x6_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64x6 &sample) noexcept { double energy{}; lyapunov_observer_f64x6_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64x6 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x6_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -8980,14 +9001,14 @@ public:
     using Memory = lyapunov_observer_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32screw_memory save() const noexcept { lyapunov_observer_f32screw_memory memory{}; lyapunov_observer_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_observer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32screw_memory>(); lyapunov_observer_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f32screw_memory &memory) noexcept { return Status(lyapunov_observer_f32screw_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    float observe(const lyapunov_sample_f32screw &sample) noexcept { float energy{}; lyapunov_observer_f32screw_observe(&storage, &sample, &energy); return energy; }
+    float observe(const lyapunov_sample_f32screw &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32screw_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -9000,14 +9021,14 @@ public:
     using Memory = lyapunov_observer_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64screw_memory save() const noexcept { lyapunov_observer_f64screw_memory memory{}; lyapunov_observer_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_observer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64screw_memory>(); lyapunov_observer_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_observer_f64screw_memory &memory) noexcept { return Status(lyapunov_observer_f64screw_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
-    double observe(const lyapunov_sample_f64screw &sample) noexcept { double energy{}; lyapunov_observer_f64screw_observe(&storage, &sample, &energy); return energy; }
+    double observe(const lyapunov_sample_f64screw &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64screw_observe(&storage, &sample, &energy); return energy; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
@@ -9023,16 +9044,16 @@ public:
     using Memory = lyapunov_energy_meter_f32_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32_memory save() const noexcept { lyapunov_energy_meter_f32_memory memory{}; lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32_memory>(); lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32 &sample, const lyapunov_correction_f32 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9045,16 +9066,16 @@ public:
     using Memory = lyapunov_energy_meter_f64_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64_memory save() const noexcept { lyapunov_energy_meter_f64_memory memory{}; lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64_memory>(); lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64 &sample, const lyapunov_correction_f64 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9067,16 +9088,16 @@ public:
     using Memory = lyapunov_energy_meter_f32x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32x3_memory save() const noexcept { lyapunov_energy_meter_f32x3_memory memory{}; lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x3_memory>(); lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x3_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x3 &sample, const lyapunov_correction_f32x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32x3_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x3_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9089,16 +9110,16 @@ public:
     using Memory = lyapunov_energy_meter_f64x3_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64x3_memory save() const noexcept { lyapunov_energy_meter_f64x3_memory memory{}; lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x3_memory>(); lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x3_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x3 &sample, const lyapunov_correction_f64x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64x3_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x3_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9111,16 +9132,16 @@ public:
     using Memory = lyapunov_energy_meter_f32x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32x6_memory save() const noexcept { lyapunov_energy_meter_f32x6_memory memory{}; lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x6_memory>(); lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x6_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x6 &sample, const lyapunov_correction_f32x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32x6_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x6_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9133,16 +9154,16 @@ public:
     using Memory = lyapunov_energy_meter_f64x6_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64x6_memory save() const noexcept { lyapunov_energy_meter_f64x6_memory memory{}; lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x6_memory>(); lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x6_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x6 &sample, const lyapunov_correction_f64x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64x6_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x6_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9155,16 +9176,16 @@ public:
     using Memory = lyapunov_energy_meter_f32screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32screw_memory save() const noexcept { lyapunov_energy_meter_f32screw_memory memory{}; lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32screw_memory>(); lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32screw_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32screw &sample, const lyapunov_correction_f32screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f32 summary() const noexcept { lyapunov_energy_summary_f32 summary{}; lyapunov_energy_meter_f32screw_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32screw_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
@@ -9177,16 +9198,16 @@ public:
     using Memory = lyapunov_energy_meter_f64screw_memory;
     /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
     Status init(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays. A refused change changes nothing. */
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
     Status retune(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_retune(&storage, &parameters)); }
     /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64screw_memory save() const noexcept { lyapunov_energy_meter_f64screw_memory memory{}; lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }
+    lyapunov_energy_meter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64screw_memory>(); lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const lyapunov_energy_meter_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64screw_restore(&storage, &memory)); }
-    /* Adds a tick. */
+    /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64screw &sample, const lyapunov_correction_f64screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
-    lyapunov_energy_summary_f64 summary() const noexcept { lyapunov_energy_summary_f64 summary{}; lyapunov_energy_meter_f64screw_summary(&storage, &summary); return summary; }
+    lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64screw_summary(&storage, &summary); return summary; }
     /* The same bytes: the same block in the same state. */
     friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
     friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }

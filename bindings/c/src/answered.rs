@@ -1,6 +1,6 @@
 //! Functions of blocks that are asked something of signals, beside a stabilizer's tick.
 
-use lyapunov::{ParameterError, Scalar, Snapshot};
+use lyapunov::{ParameterError, Requirement, Scalar, Snapshot};
 
 use crate::check;
 use crate::kept::{Keep, Kind, NumberOf, Storage};
@@ -49,7 +49,8 @@ impl<B> Snapshot for Fixed<B> {
         0
     }
 
-    fn restored(self, _state: u32) -> Result<Self, ParameterError> {
+    fn restored(self, state: u32) -> Result<Self, ParameterError> {
+        Requirement::AtMost(0.0).check("stored word", f64::from(state))?;
         Ok(self)
     }
 }

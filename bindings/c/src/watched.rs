@@ -1,7 +1,7 @@
 //! Observers and energy meters, with their parameters.
 
 use lyapunov::telemetry::{EnergyMeter, EnergySummary};
-use lyapunov::{Held, Observer, ParameterError, Snapshot, accumulators::Plain};
+use lyapunov::{Held, Mask, Observer, ParameterError, Signal, Snapshot, accumulators::Plain};
 
 use crate::check;
 use crate::kept::{Keep, Kind, NumberOf, Storage};
@@ -102,7 +102,7 @@ impl<T> SummaryForm<T> {
     }
 }
 
-/// Adds a tick to a meter. A correction whose energies are not finite is left out: no block gives one.
+/// Adds a tick to a meter. A correction with an energy that is not finite is left out: no block gives one.
 ///
 /// # Safety
 /// As [`init`](crate::verbs::init).
@@ -116,10 +116,11 @@ pub unsafe fn add<K: Kind<Body = Meter<NumberOf<K>>>>(
         check::pointer(sample).and_then(|()| {
             check::pointer(correction)?;
             let (sample, correction) = (sample.read().sample(), correction.read().correction());
-            let sum = correction.observed_energy + correction.shortfall;
+            // Each by itself: their sum may be beyond the range where neither is.
+            let sound = correction.observed_energy.finite() & correction.shortfall.finite();
             let add = |meter: &mut Meter<_>| meter.0.add(&sample, &correction);
             let storage = open(storage)?;
-            if lyapunov::Signal::finite(sum) { storage.kept.lend(add) } else { Ok(()) }
+            if sound.all() { storage.kept.lend(add) } else { Ok(()) }
         })
     };
     done.err().unwrap_or(Code::Ok) as u32

@@ -2,6 +2,7 @@
 //!
 //! `LYAPUNOV_WRITE=1 cargo test --features describe --test header` writes both.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use lyapunov_c::abi::ABI;
@@ -84,13 +85,32 @@ fn the_classes_are_those_of_the_functions() {
     checked_in("include/lyapunov.hpp", &text);
 }
 
+/// Verbs of the header that the README's table does not explain cannot be found, and others cannot be called.
+#[test]
+fn the_readme_has_all_verbs() {
+    let header = Header::whole();
+    let blocks: BTreeSet<_> = header.blocks.iter().map(|(name, _)| format!("{name}_")).collect();
+    let verb = |name: &str| {
+        let block = blocks.iter().find(|block| name.starts_with(block.as_str()))?;
+        Some(name[block.len()..].trim_end_matches("_abi").to_string())
+    };
+    let there: BTreeSet<_> = header.described.iter().filter_map(|it| verb(it.name())).collect();
+    let table = include_str!("../README.md").split("| verb | does |\n|---|---|\n").nth(1);
+    let rows = table.expect("the table of verbs").lines().take_while(|line| line.starts_with('|'));
+    let told: BTreeSet<_> = rows
+        .filter_map(|row| row.split('|').nth(1))
+        .flat_map(|verbs| verbs.split('`').skip(1).step_by(2).map(String::from))
+        .collect();
+    assert_eq!(told, there);
+}
+
 /// A line that differs or is gone breaks programs that are compiled already; a line that is new does not.
 #[test]
 fn the_binary_interface_changes_with_its_version() {
     let now = Header::whole().table;
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("abi.txt");
     let kept = std::fs::read_to_string(path).unwrap_or_default();
-    let lines: std::collections::BTreeSet<_> = now.lines().collect();
+    let lines: BTreeSet<_> = now.lines().collect();
     let same_version = kept.lines().next() == now.lines().next();
     let gone: Vec<_> = kept.lines().filter(|line| !lines.contains(line)).collect();
     assert!(

@@ -49,7 +49,8 @@ fn fields_of_controllers_and_refinements_are_named() {
     refused!(lolc_custom, of_f64, { damping_limit: 1.0 => -1.0, budget: 0.0 => NAN });
     refused!(lolc_storage, of_f64, { damping_limit: 1.0 => -1.0, start: 0.0 => NAN });
     refused!(lolc_in_contact, of_f64,
-        { damping_limit: 1.0 => -1.0, wall_damping: 0.0 => -1.0, budget: 0.0 => NAN } surface: 0.0);
+        { damping_limit: 1.0 => -1.0, wall_damping: 0.0 => -1.0, surface: 0.0 => NAN, budget: 0.0 => NAN });
+    refused!(contact_reset, of_f64, { surface: 0.0 => NAN } lolc: LOLC);
     refused!(bounded_credit, of_f64, { most: 1.0 => -1.0 } lolc: LOLC);
     refused!(windowed_credit, of_f64, { ticks: 2 => 0 } lolc: LOLC);
     refused!(velocity_threshold, of_f64, { velocity: 1.0 => -1.0 } lolc: LOLC);

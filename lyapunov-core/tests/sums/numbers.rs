@@ -123,13 +123,17 @@ fn requirements_hold_for_what_they_say() {
         (Positive, [false, false, false, true, true, true, false, false]),
         (NonNegative, [false, false, true, true, true, true, false, false]),
         (Limit, [false, false, true, true, true, true, true, false]),
+        (AboveZero, [false, false, false, true, true, true, true, false]),
         (AtMost(2.0), [true, true, true, true, true, false, false, false]),
         (AtLeast(2.0), [false, false, false, false, true, true, false, false]),
         (InRange, [false, true, true, true, true, true, false, false]),
     ] {
         assert_eq!(numbers.map(|it| requirement.check("it", it).is_ok()), fine, "{requirement:?}");
+        let narrow = numbers.map(|it| requirement.check("it", it as f32).is_ok());
+        assert_eq!(narrow, fine, "{requirement:?} in f32");
         assert_eq!(requirement.check("it", 2.0), Ok(2.0));
     }
+    assert!(AtMost(0.1).check("it", 0.1f32).is_err(), "which is above 0.1");
     assert!(Positive.check("it", f64::from_bits(1)).is_ok(), "the smallest number is above 0");
     assert!(NonNegative.check("it", -0.0).is_ok() && AtLeast(-inf).check("it", -inf).is_err());
     let refused = Positive.check_axes("axes", Vector3::new(1.0, -2.0, -3.0));

@@ -105,7 +105,8 @@ blocks! {
             decay: T,
             /// Damping that the device surely has, N.s/m.
             device_damping: T,
-            /// Energy stored in the loop at the start, which may come back, J; usually 0.
+            /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
+            /// not, and later there is `grant`.
             budget: T,
         };
         |given| {

@@ -1,7 +1,7 @@
 //! LOLC with a candidate of the caller's, as a function and a context.
 
 use lyapunov::candidates::InContact;
-use lyapunov::{Dissipation, Lolc, PortEnergy};
+use lyapunov::{Dissipation, Lolc, PortEnergy, Requirement};
 
 use crate::export::blocks;
 use crate::limits::limit;
@@ -18,7 +18,8 @@ blocks! {
         {
             /// Largest damping, N.s/m.
             damping_limit: T,
-            /// Energy stored in the loop at the start, which may come back, J; usually 0.
+            /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
+            /// not, and later there is `grant`.
             budget: T,
         };
         |given| {
@@ -35,7 +36,7 @@ blocks! {
         {
             /// Largest damping, N.s/m.
             damping_limit: T,
-            /// V in the state in which the loop starts, J.
+            /// V in the state in which the loop starts, J; only init reads it, a later `retune` does not.
             start: T,
         };
         |given| {
@@ -56,12 +57,14 @@ blocks! {
             wall_damping: T,
             /// Position of the wall's surface, m; contact is beyond it.
             surface: T,
-            /// Energy stored in the loop at the start, which may come back, J; usually 0.
+            /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
+            /// not, and later there is `grant`.
             budget: T,
         };
         |given| {
-            let gate = InContact { position: given.surface };
-            let candidate = (PortEnergy, named("wall_damping", Dissipation::of(given.wall_damping))?.gated(gate));
+            let position = Requirement::Finite.check("surface", given.surface)?;
+            let wall = named("wall_damping", Dissipation::of(given.wall_damping))?;
+            let candidate = (PortEnergy, wall.gated(InContact { position }));
             Lolc::new(candidate, limit(given.damping_limit)?).budgeted(given.budget)
         };
         [life stabilizer account]

@@ -93,7 +93,8 @@ blocks! {
         {
             /// The period that is meant, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit.
+            /// The fastest motion, m/s; infinity: no limit. Over less than a period a jump
+            /// counts as one over a whole period, so that the velocity may be above it.
             fastest: T,
         };
         |given| Ok(every::<V>(given.period, given.fastest)?.clocked());
@@ -106,7 +107,8 @@ blocks! {
         {
             /// The period that is meant, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit.
+            /// The fastest motion, m/s; infinity: no limit. Over less than a period a jump
+            /// counts as one over a whole period.
             fastest: T,
         };
         |given| Ok(every::<V>(given.period, given.fastest)?.measured().clocked());
@@ -197,7 +199,8 @@ blocks! {
             period: T,
             /// The fastest motion of the reference point, m/s; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit.
+            /// The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump
+            /// counts as one over a whole period, so that the twist may be above it.
             fastest_rotation: T,
         };
         |given| {
@@ -215,7 +218,8 @@ blocks! {
             period: T,
             /// The fastest motion of the reference point, m/s; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit.
+            /// The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump
+            /// counts as one over a whole period.
             fastest_rotation: T,
         };
         |given| {

@@ -9,7 +9,7 @@ use lyapunov::stabilizers::{
     InertiaMetric, JointInertia, PartLimits, PerAxis, PerPart, Plausibility, Plausible, RateLimit,
     SoftStart, Spread, StabilizerExt, VelocityThreshold, Watchdog, WatchdogTimes, WindowedCredit,
 };
-use lyapunov::{DampingLimit, Dissipation, Held, Lolc, PortEnergy, Sampled};
+use lyapunov::{DampingLimit, Dissipation, Held, Lolc, PortEnergy, Requirement, Sampled};
 use nalgebra::SMatrix;
 
 use crate::export::blocks;
@@ -96,7 +96,10 @@ blocks! {
             /// Position of the wall's surface, m; contact is beyond it.
             surface: T,
         };
-        |given| Ok(lolc::Block::build(&given.lolc)?.reset_at(InContact { position: given.surface }));
+        |given| {
+            let position = Requirement::Finite.check("surface", given.surface)?;
+            Ok(lolc::Block::build(&given.lolc)?.reset_at(InContact { position }))
+        };
         [life stabilizer account]
     }
     /// LOLC that corrects only from a velocity on (VelocityThreshold).
@@ -236,7 +239,8 @@ blocks! {
             lolc: lolc::Parameters,
             /// The largest speed on an axis, m/s; infinity: no limit.
             speed: T,
-            /// The largest effort on an axis, N; infinity: no limit.
+            /// The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the tick is
+            /// rejected and not clipped, so take a number well above both. Infinity: no limit.
             effort: T,
         };
         |given| {
@@ -277,7 +281,8 @@ blocks! {
             rate: T,
             /// The largest speed on an axis, m/s; infinity: no limit.
             speed: T,
-            /// The largest effort on an axis, N; infinity: no limit.
+            /// The largest effort on an axis that your controller can ask for or your motor apply, N: beyond it the tick is
+            /// rejected and not clipped, so take a number well above both. Infinity: no limit.
             effort: T,
             /// How long the last effort is held without sound samples, s.
             hold: T,
@@ -338,7 +343,8 @@ blocks! {
             translation_damping: T,
             /// Damping of rotation that the device surely has, N.m.s/rad.
             rotation_damping: T,
-            /// Energy stored in the loop at the start, which may come back, J; usually 0.
+            /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
+            /// not, and later there is `grant`.
             budget: T,
         };
         |given| {

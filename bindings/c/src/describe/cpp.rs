@@ -16,6 +16,13 @@ pub struct Function {
     pub(super) arguments: Vec<(String, String)>,
 }
 
+impl Function {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+}
+
 impl Header {
     /// The classes.
     pub fn classes(&self) -> String {
@@ -93,13 +100,14 @@ fn method(text: &mut String, signal: &str, verb: &str, function: &Function) {
         match c.as_str() {
             _ if name == "storage" => is_const = c.starts_with("const"),
             _ if name == "abi" => handed.push("LYAPUNOV_ABI".into()),
-            _ if name == "context" => handed.push(format!("detail::address({})", "function")),
+            _ if name == "context" => handed.push("detail::address(candidate)".into()),
             c if c.starts_with("lyapunov_candidate") => {
                 template = "    template <class Function>\n";
                 taken.push("Function &&function".to_string());
                 let sample = format!("lyapunov_sample_{signal}");
+                before.push_str("detail::Candidate<Function> candidate = function; ");
                 handed.push(format!(
-                    "&detail::call<std::remove_reference_t<Function>, {}, {sample}>",
+                    "&detail::call<std::remove_reference_t<decltype(candidate)>, {}, {sample}>",
                     number(signal)
                 ));
             }
@@ -118,7 +126,7 @@ fn method(text: &mut String, signal: &str, verb: &str, function: &Function) {
             }
             c if c.ends_with('*') => {
                 let value = c.trim_end_matches([' ', '*']).to_string();
-                let _ = write!(before, "{value} {name}{{}}; ");
+                let _ = write!(before, "auto {name} = detail::unanswered<{value}>(); ");
                 handed.push(format!("&{name}"));
                 given_back = Some((value, name.clone()));
             }

@@ -2,7 +2,10 @@
 //
 // A header around lyapunov.h: value types, without exceptions, allocation or virtual functions. Names are those of the
 // library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
-// View of them: an array, std::array, a signal, or an Eigen vector.
+// View of them: an array, std::array, a signal, or an Eigen vector whose numbers lie one after another, as those of a row or
+// a diagonal do not: copy these into a vector. A method with a result has no code to tell: of a block that init has not seen,
+// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, and steps and
+// readings what `accepted` 0 says.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #ifndef LYAPUNOV_HPP
@@ -83,13 +86,17 @@ public:
     // A twist or wrench is three numbers of translation and three of rotation, one after another.
     template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>
     View(const Screw<T> &screw) noexcept : numbers_(reinterpret_cast<const T *>(&screw)) {}
-    // Whatever has its size in its type as Eigen has it, and data() of its own: a vector, not an expression.
+    // Whatever has its size and stride in its type as Eigen has them, and data() of its own: a vector, not an expression.
     template <class Vector, std::size_t Size = static_cast<std::size_t>(Vector::SizeAtCompileTime),
               class = decltype(std::declval<const Vector &>().data())>
     View(const Vector &vector) noexcept : numbers_(vector.data())
     {
         static_assert(Size == N, "a vector with as many numbers as the signal");
         static_assert(std::is_same<typename Vector::Scalar, T>::value, "a vector of the signal's number");
+        static_assert(bool(Vector::IsVectorAtCompileTime), "a vector: the numbers of a matrix have no order");
+        // From data() on N numbers are read: of a row or a diagonal they would be others than its own.
+        static_assert(static_cast<int>(Vector::InnerStrideAtCompileTime) == 1,
+                      "numbers one after another: copy a row, a diagonal or what has a stride into a vector first");
     }
     const T *data() const noexcept { return numbers_; }
     static constexpr std::size_t size() noexcept { return N; }
@@ -111,6 +118,12 @@ template <class Form, class T, std::size_t N> Form form(View<T, N> view) noexcep
     return form;
 }
 
+// The candidate of a call: an object itself, which may remember, or a pointer to an ordinary function, which has no address
+// that a context can be.
+template <class Function>
+using Candidate = std::conditional_t<std::is_function<std::remove_reference_t<Function>>::value, std::decay_t<Function>,
+                                     std::remove_reference_t<Function> &>;
+
 template <class Function> void *address(Function &function) noexcept
 {
     return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
@@ -119,6 +132,14 @@ template <class Function> void *address(Function &function) noexcept
 template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
 {
     return (*static_cast<Function *>(function))(*sample);
+}
+
+// What stays where a call that does nothing writes nothing: NaN in each number, and a memory that restore refuses.
+template <class Answer> Answer unanswered() noexcept
+{
+    Answer answer;
+    std::memset(&answer, 0xff, sizeof answer);
+    return answer;
 }
 
 template <class Signal> struct of;

@@ -10,7 +10,8 @@ macro_rules! verbs {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::init(storage, parameters, abi) }
             }
-            /// Changes the parameters between ticks; the memory stays. A refused change changes nothing.
+            /// Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads,
+            /// changes nothing. A refused change changes nothing.
             fn retune(storage: *mut Storage<Block>, parameters: *const Parameters) -> Status {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::retune(storage, parameters) }
@@ -66,7 +67,8 @@ macro_rules! verbs {
     };
     (meter, $name:literal, $signal:literal) => {
         $crate::export::exported! { $name, $signal, describe;
-            /// Adds a tick.
+            /// Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not
+            /// counted.
             fn add(storage: *mut Storage<Block>, sample: *const SampleForm<V>, correction: *const CorrectionForm<V>) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe { $crate::watched::add(storage, sample, correction) }

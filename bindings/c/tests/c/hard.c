@@ -271,6 +271,27 @@ static void refusals_tell(void)
     EXPECT(strcmp(text, "the stored memory is refused: stored sum is inf; it must be finite") == 0);
 }
 
+static void changes_without_room(void)
+{
+    lyapunov_popc_f32 popc, before;
+    const lyapunov_popc_f32_parameters parameters = { 80, 0 };
+    char text[200];
+    lyapunov_status status;
+
+    EXPECT(lyapunov_popc_f32_init(&popc, &parameters).code == LYAPUNOV_OK);
+    EXPECT(lyapunov_popc_f32_grant(&popc, 3e38f).code == LYAPUNOV_OK);
+    before = popc;
+    status = lyapunov_popc_f32_grant(&popc, 2.5e38f);
+    (void)lyapunov_status_text(&status, text, sizeof text);
+    EXPECT(strncmp(text, "energy is 2.5e+38; it must be such that ", 40) == 0);
+    EXPECT(lyapunov_popc_f32_owe(&popc, 3e38f).code == LYAPUNOV_OK && lyapunov_popc_f32_owe(&popc, 3e38f).code == LYAPUNOV_OK);
+    status = lyapunov_popc_f32_owe(&popc, 2.5e38f);
+    (void)lyapunov_status_text(&status, text, sizeof text);
+    EXPECT(strncmp(text, "debt is 2.5e+38; it must be such that ", 38) == 0);
+    EXPECT(lyapunov_popc_f32_grant(&popc, 3e38f).code == LYAPUNOV_OK && lyapunov_popc_f32_grant(&popc, 3e38f).code == LYAPUNOV_OK);
+    EXPECT(memcmp(&popc, &before, sizeof popc) == 0);
+}
+
 /* Numbers in texts are those of printf. */
 static void numbers_in_texts(void)
 {
@@ -333,13 +354,21 @@ static void summary(void)
     const lyapunov_energy_meter_f32_parameters none = { 0 };
     lyapunov_energy_summary_f32 told;
     const lyapunov_sample_f32 sample = { 1e-3f, 0, 0.5f, 1e-4f, -2, -0.25f };
-    const lyapunov_correction_f32 correction = { 1.5f, -0.25f, 16, 0.125f, 1, LYAPUNOV_OK };
+    lyapunov_correction_f32 correction = { 1.5f, -0.25f, 16, 0.125f, 1, LYAPUNOV_OK };
 
     EXPECT(lyapunov_energy_meter_f32_init(&meter, &none).code == LYAPUNOV_OK);
     EXPECT(lyapunov_energy_meter_f32_add(&meter, &sample, &correction) == LYAPUNOV_OK);
     EXPECT(lyapunov_energy_meter_f32_add(&meter, &sample, &correction) == LYAPUNOV_OK);
     EXPECT(lyapunov_energy_meter_f32_summary(&meter, &told) == LYAPUNOV_OK);
     EXPECT(told.ticks == 2 && (int)told.active == 2 && (int)(8 * told.absorbed) == -4);
+    /* Each of them is a number, and their sum is beyond the range. */
+    correction.observed_energy = correction.shortfall = FLT_MAX;
+    EXPECT(lyapunov_energy_meter_f32_add(&meter, &sample, &correction) == LYAPUNOV_OK);
+    EXPECT(lyapunov_energy_meter_f32_summary(&meter, &told) == LYAPUNOV_OK);
+    EXPECT(told.ticks == 3 && told.most >= FLT_MAX && told.largest_shortfall >= FLT_MAX);
+    correction.shortfall = NAN;
+    EXPECT(lyapunov_energy_meter_f32_add(&meter, &sample, &correction) == LYAPUNOV_OK);
+    EXPECT(lyapunov_energy_meter_f32_summary(&meter, &told) == LYAPUNOV_OK && told.ticks == 3);
 }
 
 int main(void)
@@ -355,6 +384,7 @@ int main(void)
     not_numbers();
     function_that_gives_nan();
     refusals_tell();
+    changes_without_room();
     numbers_in_texts();
     copies();
     summary();

@@ -1,0 +1,154 @@
+// What the classes take and answer. With REFUSED, one call that must not compile.
+#ifdef WITH_EIGEN
+#include <Eigen/Core>
+#endif
+
+#include <cmath>
+#include <cstdio>
+
+#include <lyapunov.hpp>
+
+namespace {
+
+using Three = lyapunov::Axes<double, 3>;
+using Sample = lyapunov_sample_f32;
+
+int failures = 0;
+
+void expect(bool met, const char *what)
+{
+    if (!met) {
+        std::printf("not %s\n", what);
+        ++failures;
+    }
+}
+
+// A vector as Eigen has them, here where Eigen is not: what a View looks at, and no more.
+template <int Stride, bool IsVector = true> struct Numbers {
+    using Scalar = double;
+    enum { SizeAtCompileTime = 3, InnerStrideAtCompileTime = Stride, IsVectorAtCompileTime = IsVector };
+    const double *data() const { return numbers; }
+    const double *numbers;
+};
+
+bool is_one_two_three(lyapunov::View<double, 3> view)
+{
+    for (int at = 0; at < 3; ++at) {
+        if (view[static_cast<std::size_t>(at)] < at + 1 || view[static_cast<std::size_t>(at)] > at + 1) {
+            return false;
+        }
+    }
+    return true;
+}
+
+const double numbers[9] = { 1, 2, 3, 4, 5, 6, 7, 8, 9 };
+
+void views()
+{
+    const double array[3] = { 1, 2, 3 };
+    const std::array<double, 3> standard{ { 1, 2, 3 } };
+    const Three axes{ { 1, 2, 3 } };
+    expect(is_one_two_three(array), "an array");
+    expect(is_one_two_three(standard), "a std::array");
+    expect(is_one_two_three(axes), "axes");
+    expect(is_one_two_three(Numbers<1>{ numbers }), "a vector");
+#if REFUSED == 1
+    expect(is_one_two_three(Numbers<2>{ numbers }), "a row");
+#elif REFUSED == 2
+    expect(is_one_two_three(Numbers<-1>{ numbers }), "a stride that is known later");
+#elif REFUSED == 3
+    expect(is_one_two_three(Numbers<1, false>{ numbers }), "a block of a matrix");
+#endif
+}
+
+#ifdef WITH_EIGEN
+void views_of_eigen()
+{
+    const Eigen::Map<const Eigen::Matrix3d> matrix(numbers);
+    const Eigen::Matrix3d copied = matrix, turned = matrix.transpose();
+    const Eigen::Vector3d vector = matrix.col(0), row = turned.row(0);
+    Eigen::Matrix<double, 7, 1> long_vector;
+    long_vector << 0, 1, 2, 3, 0, 0, 0;
+    const Eigen::VectorXd dynamic = long_vector;
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> by_rows = turned;
+    expect(is_one_two_three(vector), "Vector3d");
+    expect(is_one_two_three(row), "a row, copied");
+    expect(is_one_two_three(Eigen::RowVector3d(vector)), "RowVector3d");
+    expect(is_one_two_three(copied.col(0)), "col()");
+    expect(is_one_two_three(by_rows.row(0)), "row() of a matrix by rows");
+    expect(is_one_two_three(vector.head<3>()), "head<3>()");
+    expect(is_one_two_three(long_vector.segment<3>(1)), "segment<3>()");
+    expect(is_one_two_three(dynamic.segment<3>(1)), "segment<3>() of a VectorXd");
+    expect(is_one_two_three(Eigen::Map<const Eigen::Vector3d>(numbers)), "Map");
+    expect(is_one_two_three(Eigen::Ref<const Eigen::Vector3d>(vector)), "Ref");
+#if REFUSED == 4
+    expect(is_one_two_three(turned.row(0)), "row()");
+#elif REFUSED == 5
+    expect(is_one_two_three(copied.diagonal()), "diagonal()");
+#elif REFUSED == 6
+    expect(is_one_two_three(Eigen::Map<const Eigen::Vector3d, 0, Eigen::InnerStride<2>>(numbers)), "InnerStride<2>");
+#elif REFUSED == 7
+    using Later = Eigen::InnerStride<>;
+    expect(is_one_two_three(Eigen::Map<const Eigen::Vector3d, 0, Later>(numbers, Later(2))), "InnerStride<>");
+#endif
+}
+#endif
+
+float decrease(const Sample &sample) { return sample.work; }
+
+struct Decrease {
+    float operator()(const Sample &sample) const { return sample.work; }
+};
+
+void candidates()
+{
+    const Sample sample{ 1e-3f, 0, 0.1f, 1e-4f, -2, -2e-4f };
+    float (*pointer)(const Sample &) = decrease;
+    const Decrease functor{};
+    int calls = 0;
+    auto lambda = [&calls](const auto &seen) {
+        ++calls;
+        return seen.work;
+    };
+    const auto served = [&sample](auto &&candidate) {
+        lyapunov::LolcCustom<float> lolc;
+        expect(bool(lolc.init({ 100, 0 })), "initialised");
+        const auto correction = lolc.step(sample, 0.5f, candidate);
+        return correction.accepted == 1 && correction.observed_energy < 0;
+    };
+    lyapunov::LolcCustom<float> lolc;
+    expect(bool(lolc.init({ 100, 0 })), "initialised");
+    expect(lolc.step(sample, 0.5f, decrease).observed_energy < 0, "a function");
+    expect(lolc.step(sample, 0.5f, &decrease).observed_energy < 0, "a function's address");
+    expect(lolc.step(sample, 0.5f, Decrease{}).observed_energy < 0, "a functor for this call");
+    expect(served(pointer), "a pointer to a function");
+    expect(served(functor), "a functor that is const");
+    expect(served(lambda) && calls == 1, "a lambda that counts");
+}
+
+void never_initialised()
+{
+    lyapunov::Popc<float> sound;
+    const auto memory = lyapunov::Popc<float>{}.save();
+    const auto summary = lyapunov::EnergyMeter<float>{}.summary();
+    expect(bool(sound.init({ 100, 0 })), "initialised");
+    const auto before = sound;
+    expect(sound.restore(memory).code() == lyapunov::Code::Memory && sound == before, "a memory that restore refuses");
+    expect(std::isnan(lyapunov::Observer<float>{}.observe({ 1e-3f, 0, 0.1f, 1e-4f, -2, -2e-4f })), "NaN of observe");
+    expect(std::isnan(summary.least) && std::isnan(summary.absorbed) && summary.ticks == UINT64_MAX, "NaN of summary");
+    expect(std::isnan(sound.observed_energy()) == false, "a number of what is initialised");
+}
+
+} // namespace
+
+int main()
+{
+    views();
+#ifdef WITH_EIGEN
+    views_of_eigen();
+#endif
+    candidates();
+    never_initialised();
+    std::printf("%s\n", failures == 0 ? "classes: as they should" : "classes: FAILED");
+    return failures == 0 ? 0 : 1;
+}
