@@ -139,7 +139,7 @@ fn a_memory_that_cannot_be_right_is_refused() {
     let memory = MemoryBased::<f64, 2>::beyond(0.0, 1.0).expect("a memory");
     let (forces, pulling) = (SVector::from([1.0, 0.0]), SVector::from([1.0, -1.0]));
     assert!(memory.restored((None, forces, 0.0)).is_ok());
-    refused(memory.restored((Some(bad), forces, 0.0)), "stored depth");
+    refused(memory.restored((Some(f64::INFINITY), forces, 0.0)), "stored depth");
     refused(memory.restored((None, pulling, 0.0)), "stored force");
     assert!(memory.restored((None, forces, bad)).is_err());
     let path = PathMemory::<f64, 2>::beyond(0.0, 1.0).expect("a memory");
