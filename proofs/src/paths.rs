@@ -13,6 +13,7 @@ struct Way {
     taken: usize,
     decided: Vec<(Truth, bool)>,
     known: Vec<Truth>,
+    is_constructing: bool,
 }
 
 thread_local! {
@@ -56,6 +57,15 @@ pub(crate) fn assume(truth: Truth) {
     WAY.with_borrow_mut(|way| way.known.push(truth));
 }
 
+/// What `make` makes of numbers that it checks: decided as for their witnesses, and on no way of its own.
+pub(crate) fn constructed<R>(make: impl FnOnce() -> R) -> R {
+    let constructing = |is: bool| WAY.with_borrow_mut(|way| way.is_constructing = is);
+    constructing(true);
+    let made = make();
+    constructing(false);
+    made
+}
+
 /// One of `of` choices, each on a way of its own.
 pub(crate) fn choose(of: usize) -> usize {
     WAY.with_borrow_mut(|way| {
@@ -71,6 +81,9 @@ pub(crate) fn choose(of: usize) -> usize {
 pub(crate) fn decide(truth: Truth) -> bool {
     if let Node::Truth(truth) = tape::with(|tape| tape.node(truth.0)) {
         return truth;
+    }
+    if WAY.with_borrow(|way| way.is_constructing) {
+        return tape::with(|tape| tape.witnesses[truth.0 as usize] != 0.0);
     }
     let before = WAY.with_borrow(|way| {
         way.decided.iter().find(|(other, _)| other.0 == truth.0).map(|(_, decided)| *decided)
