@@ -96,13 +96,13 @@ fn force_bounded<S: Stabilizer<Of> + Snapshot<State = (Of, SVector<Of, 0>)>>(
         let mut bound =
             make(damping).restored((free("energy"), SVector::zeros())).expect("a memory");
         let first = tick(period, free("applied"), free("moved"), "first");
-        let before = bound.stabilize(&first.sample(), free("asked"));
+        let before = paths::step(|| bound.stabilize(&first.sample(), free("asked")));
         assume(
             at_least(before.observed_energy, zero())
                 & at_least(Of::largest(), before.observed_energy),
         );
         let next = tick(period, before.effort, free("moved on"), "next");
-        let after = bound.stabilize(&next.sample(), free("asked next"));
+        let after = paths::step(|| bound.stabilize(&next.sample(), free("asked next")));
         at_least(after.observed_energy, zero())
     })
 }
@@ -119,7 +119,9 @@ where
         let two = Of::of(2.0);
         assume(at_least(two * slope * energy, force * force));
         let mut bounding = bounding.restored((force, energy)).expect("a memory");
-        bounding.stabilize(&tick(period, force, free("moved"), "tick").sample(), free("asked"));
+        paths::step(|| {
+            bounding.stabilize(&tick(period, force, free("moved"), "tick").sample(), free("asked"))
+        });
         let (force, energy) = bounding.state();
         at_least(two * slope * energy, force * force)
     })
@@ -167,12 +169,12 @@ fn tank() -> Vec<Path<Truth>> {
             .restored(((), free("energy")))
             .expect("a memory");
         let first = tick(period, free("applied"), free("moved"), "first");
-        let before = tank.stabilize(&first.sample(), free("asked"));
+        let before = paths::step(|| tank.stabilize(&first.sample(), free("asked")));
         assume(at_least(before.observed_energy, zero()));
         let share = not_negative("share");
         assume(!share.above(Of::of(1.0)));
         let next = tick(period, before.effort, share * first.velocity * period, "next");
-        let after = tank.stabilize(&next.sample(), free("asked next"));
+        let after = paths::step(|| tank.stabilize(&next.sample(), free("asked next")));
         at_least(after.observed_energy, zero())
     })
 }
@@ -202,11 +204,11 @@ fn least_norm() -> Vec<Path<Truth>> {
         let filter = LeastNorm::new(PortEnergy, limit, decay).expect("a decay");
         let mut filter = filter.restored(((), free("energy"))).expect("a memory");
         let first = tick(period, free("applied"), free("moved"), "first");
-        let before = filter.stabilize(&first.sample(), free("asked"));
+        let before = paths::step(|| filter.stabilize(&first.sample(), free("asked")));
         let square = first.velocity * first.velocity * period;
         assume(before.alpha.below(limit.most()) & square.above(Of::smallest_normal()));
         let next = tick(period, before.effort, first.velocity * period, "next");
-        let after = filter.stabilize(&next.sample(), free("asked next"));
+        let after = paths::step(|| filter.stabilize(&next.sample(), free("asked next")));
         at_least(after.observed_energy, (Of::of(1.0) - decay) * before.observed_energy)
     })
 }
@@ -219,7 +221,7 @@ fn served() -> Vec<Path<Truth>> {
             Lolc::new(PortEnergy, limit).restored(((), free("energy"))).expect("a memory");
         let period = positive("period");
         let now = tick(period, free("applied"), free("moved"), "now");
-        let told = popc.stabilize(&now.sample(), free("asked"));
+        let told = paths::step(|| popc.stabilize(&now.sample(), free("asked")));
         let square = now.velocity * now.velocity * period;
         assume(told.observed_energy.below(zero()) & told.alpha.below(limit.most()));
         assume(square.above(Of::smallest_normal()));
@@ -240,7 +242,9 @@ fn slope_bound() -> Vec<Path<Truth>> {
         assume(at_least(two * slope * energy, force * force));
         let bound = SlopeBound::<Of>::new(slope).expect("a slope");
         let mut bound = bound.restored((Some(asked), held, zero())).expect("a memory");
-        let told = bound.stabilize(&tick(period, force, moved, "tick").sample(), spring * position);
+        let told = paths::step(|| {
+            bound.stabilize(&tick(period, force, moved, "tick").sample(), spring * position)
+        });
         // The damper b = μ T / 2 burns at least b Δx² / T.
         let after = energy + told.observed_energy + slope / two * moved * moved;
         at_least(two * slope * after, told.effort * told.effort)
@@ -258,7 +262,7 @@ fn two_port() -> Vec<Path<Truth>> {
         let memory = ((received, booked, absorbed, free("asked before")), energy);
         let mut side = TwoPortSide::<Of>::new(limit).restored(memory).expect("a memory");
         let now = tick(positive("period"), free("applied"), free("moved"), "now");
-        side.stabilize(&now.sample(), free("asked"));
+        paths::step(|| side.stabilize(&now.sample(), free("asked")));
         let ((_, booked_now, absorbed_now, _), energy_now) = side.state();
         let told = absorbed_now - absorbed;
         let port = now.applied * now.displacement;
@@ -280,7 +284,7 @@ fn two_layer() -> Vec<Path<Truth>> {
         let mut end =
             end.expect("an end").restored((energy, received, booked, sent)).expect("a memory");
         let now = tick(positive("period"), free("applied"), free("moved"), "now");
-        end.stabilize(&now.sample(), free("asked"));
+        paths::step(|| end.stabilize(&now.sample(), free("asked")));
         let (energy_now, _, booked_now, sent_now) = end.state();
         let port = now.applied * now.displacement;
         equal(energy_now + sent_now - booked_now, energy + sent - booked + port)

@@ -13,7 +13,7 @@ struct Way {
     taken: usize,
     decided: Vec<(Truth, bool)>,
     known: Vec<Truth>,
-    is_constructing: bool,
+    is_stepping: bool,
 }
 
 thread_local! {
@@ -57,13 +57,13 @@ pub(crate) fn assume(truth: Truth) {
     WAY.with_borrow_mut(|way| way.known.push(truth));
 }
 
-/// What `make` makes of numbers that it checks: decided as for their witnesses, and on no way of its own.
-pub(crate) fn constructed<R>(make: impl FnOnce() -> R) -> R {
-    let constructing = |is: bool| WAY.with_borrow_mut(|way| way.is_constructing = is);
-    constructing(true);
-    let made = make();
-    constructing(false);
-    made
+/// What a `step` tells, on every way through it. Elsewhere, where parameters and memory are checked, the witnesses decide.
+pub(crate) fn step<R>(step: impl FnOnce() -> R) -> R {
+    let stepping = |is: bool| WAY.with_borrow_mut(|way| way.is_stepping = is);
+    stepping(true);
+    let told = step();
+    stepping(false);
+    told
 }
 
 /// One of `of` choices, each on a way of its own.
@@ -82,7 +82,7 @@ pub(crate) fn decide(truth: Truth) -> bool {
     if let Node::Truth(truth) = tape::with(|tape| tape.node(truth.0)) {
         return truth;
     }
-    if WAY.with_borrow(|way| way.is_constructing) {
+    if !WAY.with_borrow(|way| way.is_stepping) {
         return tape::with(|tape| tape.witnesses[truth.0 as usize] != 0.0);
     }
     let before = WAY.with_borrow(|way| {

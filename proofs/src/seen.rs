@@ -59,15 +59,13 @@ where
     S::State: Memory,
 {
     let found = paths::every(|| {
-        let (mut stabilizer, limit) = paths::constructed(|| {
-            let Made { stabilizer, limit } = make();
-            let memory = S::State::fresh("memory");
-            paths::assume(memory.sound() & more(&memory));
-            let restored = stabilizer.restored(memory);
-            (restored.expect("a memory that its own check accepts"), limit)
-        });
+        let Made { stabilizer, limit } = make();
+        let memory = S::State::fresh("memory");
+        paths::assume(memory.sound() & more(&memory));
+        let mut stabilizer =
+            stabilizer.restored(memory).expect("a memory that its own check accepts");
         let (sample, asked) = (any_sample::<V>(), V::called("effort", -10.0));
-        let correction: Correction<V> = stabilizer.stabilize(&sample, asked);
+        let correction: Correction<V> = paths::step(|| stabilizer.stabilize(&sample, asked));
         let after = stabilizer.state();
         let inner = sample.velocity.inner(sample.velocity);
         Seen {
