@@ -188,7 +188,7 @@ fn energy_tank() -> Vec<Path<Truth>> {
         let store = TankLimits { start: energy, floor, ceiling, power };
         let mut tank = EnergyTank::new(store).expect("a tank");
         let (period, burnt, flow) = (positive("period"), not_negative("dissipated"), free("flow"));
-        let given = tank.pass(period, burnt, free("wished"), flow);
+        let given = paths::step(|| tank.pass(period, burnt, free("wished"), flow));
         let after = tank.energy();
         let paid = at_least(energy + burnt * period - given * flow * period, after);
         at_least(after, floor) & at_least(ceiling, after) & paid
@@ -311,7 +311,7 @@ fn filtered() -> Vec<Path<Truth>> {
         assume(!share.above(Of::of(1.0)));
         let (wave, sent) = (free("wave"), free("sent"));
         let mut filter = WaveFilter::new(share).expect("a share").restored(sent).expect("a memory");
-        let out = filter.pass(wave);
+        let out = paths::step(|| filter.pass(wave));
         let kept = Of::of(1.0) - share;
         // Times the share: out² ≤ wave² + (1 − r) / r (sent² − out²).
         at_least(share * wave * wave + kept * (sent * sent - out * out), share * out * out)

@@ -32,7 +32,7 @@ pub(crate) fn compensated() -> String {
     let found = paths::every(|| {
         let [sum, error, term] = numbers.map(|name| Symbolic::free(name, 0.0));
         let mut booked = Compensated::<Symbolic>::zero().restored((sum, error)).expect("a sum");
-        booked.add(term);
+        paths::step(|| booked.add(term));
         let (whole, left) = booked.state();
         let all = [sum, error, term, whole, left];
         all.iter().for_each(|number| assume(number.finite()));
