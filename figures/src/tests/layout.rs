@@ -115,7 +115,7 @@ fn drawings_are_as_they_were() {
         found.collect::<Vec<_>>(),
         [
             "swings 4b284d98d8b90b85",
-            "four 24711380feb5c25d",
+            "four c7f032eff52e3f1f",
             "hostile 13a4651cdc596f37",
             "crowded 3e0dbf9e1dfcaca3",
             "fields 574170df90860793",
