@@ -71,9 +71,6 @@ fn remedy<V: Space>(
         return None;
     }
     let Trial { verdict, feel: Feel { peak, error }, .. } = Trial::that_holds::<V>(&scene, watch)?;
-    if verdict == Verdict::TooShort {
-        return None;
-    }
     Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
 }
 
