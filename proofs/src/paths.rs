@@ -57,7 +57,7 @@ pub(crate) fn assume(truth: Truth) {
     WAY.with_borrow_mut(|way| way.known.push(truth));
 }
 
-/// What a `step` tells, on every way through it. Elsewhere, where parameters and memory are checked, the witnesses decide.
+/// The answer of a `step`, on every way through it. Elsewhere, where parameters and memory are checked, the witnesses decide.
 pub(crate) fn step<R>(step: impl FnOnce() -> R) -> R {
     let stepping = |is: bool| WAY.with_borrow_mut(|way| way.is_stepping = is);
     stepping(true);

@@ -29,7 +29,7 @@ fn none<V: Signal>(_: &PortSample<V>) -> f64 {
     0.0
 }
 
-/// What the test and the stabilizer know on a tick, J.
+/// Energies that the test and the stabilizer know on a tick, J.
 struct Told {
     account: f64,
     observed: f64,
@@ -82,7 +82,7 @@ fn run<V: Signal>(
     Ok(told)
 }
 
-/// What is missing is told, whatever the stabilizer's own account says.
+/// A debt of the port is told, whatever the stabilizer's own account says.
 fn holds<V: Signal>(
     seed: u64,
     stabilizer: impl Stabilizer<V>,
@@ -96,35 +96,23 @@ fn holds<V: Signal>(
     Ok(())
 }
 
-/// The stabilizer's own account is that of the test.
+/// The stabilizer's own account is that of the test, or less by what it has `forgotten`, J, at most.
 fn tells<V: Signal>(
     seed: u64,
     stabilizer: impl Stabilizer<V>,
     budget: f64,
     credit: Credit<V>,
+    forgotten: f64,
 ) -> TestCaseResult {
     for (tick, told) in run(seed, stabilizer, budget, credit)?.iter().enumerate() {
         let off = told.observed - told.account;
-        prop_assert!(off.abs() <= told.rounding, "{off:e} J on tick {tick}");
+        let range = -told.rounding - forgotten..=told.rounding;
+        prop_assert!(range.contains(&off), "{off:e} J on tick {tick}");
     }
     Ok(())
 }
 
-/// The stabilizer's own account forgets credit, and never a debt.
-fn forgets<V: Signal>(
-    seed: u64,
-    stabilizer: impl Stabilizer<V>,
-    budget: f64,
-    credit: Credit<V>,
-) -> TestCaseResult {
-    for (tick, told) in run(seed, stabilizer, budget, credit)?.iter().enumerate() {
-        let off = told.observed - told.account;
-        prop_assert!(off <= told.rounding, "{off:e} J on tick {tick}");
-    }
-    Ok(())
-}
-
-/// Both: what is missing is told, and so is the account.
+/// A debt is told, and the account is the test's.
 fn keeps<V: Signal>(
     seed: u64,
     stabilizer: impl Stabilizer<V> + Clone,
@@ -132,7 +120,18 @@ fn keeps<V: Signal>(
     credit: Credit<V>,
 ) -> TestCaseResult {
     holds(seed, stabilizer.clone(), budget, credit)?;
-    tells(seed, stabilizer, budget, credit)
+    tells(seed, stabilizer, budget, credit, 0.0)
+}
+
+/// A debt is told, and the account is never more than the test's: credit may be forgotten.
+fn forgets<V: Signal>(
+    seed: u64,
+    stabilizer: impl Stabilizer<V> + Clone,
+    budget: f64,
+    credit: Credit<V>,
+) -> TestCaseResult {
+    holds(seed, stabilizer.clone(), budget, credit)?;
+    tells(seed, stabilizer, budget, credit, f64::INFINITY)
 }
 
 /// Open where the first axis is positive.
@@ -175,23 +174,19 @@ fn alike<V: Signal>(seed: u64) -> TestCaseResult {
     keeps::<V>(seed, DirectedDamping::new(popc, along, limit()), 0.0, none)?;
     let credited = (PortEnergy, Dissipation::of(of(DAMPING)).expect(fine));
     keeps::<V>(seed, Lolc::new(credited, limit()), 0.0, damper)?;
-    tells::<V>(seed, LeastNorm::new(credited, limit(), of(0.3)).expect(fine), 0.0, damper)?;
+    tells::<V>(seed, LeastNorm::new(credited, limit(), of(0.3)).expect(fine), 0.0, damper, 0.0)?;
     let bound = ForceBound::new(of(DAMPING)).and_then(|it| it.budgeted(of(1e-3)));
     keeps::<V>(seed, bound.expect(fine), 1e-3, damper)?;
     let slope = SlopeBound::<V>::new(of(500.0)).and_then(|it| it.creeping(of(2.0)));
     keeps::<V>(seed, slope.expect(fine), 0.0, none)?;
 
     let windowed = popc.summed_in::<WindowedCredit<_, Plain<_>, 16>>();
-    holds::<V>(seed, windowed, 0.0, none)?;
     forgets::<V>(seed, windowed, 0.0, none)?;
     let bounded = popc.bounded(of(1e-4)).expect(fine);
-    holds::<V>(seed, bounded, 0.0, none)?;
     forgets::<V>(seed, bounded, 0.0, none)?;
-    holds::<V>(seed, popc.reset_at(Half), 0.0, none)?;
     forgets::<V>(seed, popc.reset_at(Half), 0.0, none)?;
     let store = TankLimits { start: of(2e-3), floor: of(1e-3), ceiling: of(4e-3), power: of(0.5) };
     let tank = Tank::new(PortEnergy, store).expect(fine);
-    holds::<V>(seed, tank, 1e-3, none)?;
     forgets::<V>(seed, tank, 1e-3, none)
 }
 

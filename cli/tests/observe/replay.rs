@@ -107,7 +107,7 @@ fn released(share: f64) -> String {
     csv(&(0..=200).map(|n| (x(n), force(n))).collect::<Vec<_>>())
 }
 
-/// What was stored before the first row is no debt of the port, wherever the scene itself starts.
+/// Energy stored before the first row is no debt of the port, wherever the scene itself starts.
 #[test]
 fn what_is_stored_on_the_first_row_may_come_out() {
     let names = "popc-reference,reference-following,popc-budgeted";

@@ -90,7 +90,7 @@ impl<V: Space<Scalar = f64>> Law<V> {
     }
 }
 
-/// Where the pieces of a part of a tick start and how wide they are: one, or two where it crosses the surface.
+/// Starts and widths of the pieces of a part of a tick: one piece, or two where it crosses the surface.
 fn pieces(part: u32, is_inside: &dyn Fn(f64) -> bool) -> impl Iterator<Item = [f64; 2]> {
     let width = f64::from(PARTS).recip();
     let start = width * f64::from(part);
