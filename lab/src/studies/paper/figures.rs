@@ -34,6 +34,10 @@ fn points(rows: &[Row], y: impl Fn(&Row) -> f64) -> Vec<(f64, f64)> {
 const TIME: &str = "time, s";
 const SURFACE: &str = "wall surface";
 
+/// The colours that both have in a comparison with no stabilizer, which comes first there.
+const POPC: usize = 1;
+const LOLC: usize = 2;
+
 fn figure_6(plain: &[Row]) -> Figure {
     let shown = 2.0;
     let title = "8 kN/m, 2 N·s/m, without control; the curve is cut off at ±60 mm";
@@ -46,8 +50,8 @@ fn figure_6(plain: &[Row]) -> Figure {
 }
 
 fn figure_7(lolc: &[Row]) -> Figure {
-    let line = |y: fn(&Row) -> f64| Series::line("LOLC", 0, points(lolc, y));
-    let steps = |y: fn(&Row) -> f64| Series::steps("LOLC", 0, points(lolc, y));
+    let line = |y: fn(&Row) -> f64| Series::line("LOLC", LOLC, points(lolc, y));
+    let steps = |y: fn(&Row) -> f64| Series::steps("LOLC", LOLC, points(lolc, y));
     Figure::new("Figure 7: 8 kN/m and 2 N·s/m with the Lyapunov observer/controller")
         .with_columns(2)
         .with_width(960.0)
@@ -73,8 +77,8 @@ fn figure_7(lolc: &[Row]) -> Figure {
 
 fn figure_8(popc: &[Row], lolc: &[Row]) -> Figure {
     let panel = Panel::new("50 kN/m, 20 N·s/m", TIME, "position, mm")
-        .with_series(Series::line("POPC", 1, points(popc, |row| 1e3 * row.x)))
-        .with_series(Series::line("LOLC", 0, points(lolc, |row| 1e3 * row.x)))
+        .with_series(Series::line("POPC", POPC, points(popc, |row| 1e3 * row.x)))
+        .with_series(Series::line("LOLC", LOLC, points(lolc, |row| 1e3 * row.x)))
         .with_guide(Guide::horizontal(0.0, SURFACE))
         .with_x_range(0.0, 5.0)
         .with_inset(Inset::over(2.5, 4.0));
@@ -83,8 +87,8 @@ fn figure_8(popc: &[Row], lolc: &[Row]) -> Figure {
 
 fn figure_9(popc: &[Row], lolc: &[Row]) -> Figure {
     let panel = Panel::new("50 kN/m, 20 N·s/m", TIME, "observed energy, mJ")
-        .with_series(Series::line("POPC", 1, points(popc, |row| 1e3 * row.observed_energy)))
-        .with_series(Series::line("LOLC", 0, points(lolc, |row| 1e3 * row.observed_energy)))
+        .with_series(Series::line("POPC", POPC, points(popc, |row| 1e3 * row.observed_energy)))
+        .with_series(Series::line("LOLC", LOLC, points(lolc, |row| 1e3 * row.observed_energy)))
         .with_guide(Guide::horizontal(0.0, ""))
         .with_x_range(0.0, 5.0)
         .with_inset(Inset::over(2.5, 4.0));
