@@ -78,45 +78,36 @@ impl Requirement {
         }
     }
 
-    /// Whether the only lane of `value` is right. In its own type, and written out for each parameter, so that the match folds: where
-    /// the processor has no doubles, each comparison of them is a function.
+    /// Whether the only lane of `value` is right. Written out for each parameter, so that the match folds.
     #[inline(always)]
     fn holds_alone<T: Scalar>(self, number: f64, value: T) -> bool {
-        let none = T::zero();
-        let right = match self {
-            Self::Finite | Self::InRange => value.finite(),
-            Self::Positive => value.finite() & value.above(none),
-            Self::NonNegative => value.finite() & !value.below(none),
-            Self::Limit => value.above(none) | value.finite() & !value.below(none),
-            Self::AboveZero => value.above(none),
-            // A number that is none of the type's would be rounded to one.
-            Self::AtMost(_) | Self::AtLeast(_) => return self.holds(number, value.lane(0)),
-        };
-        right.all()
+        self.right(value).map_or_else(|| self.holds(number, value.lane(0)), Mask::all)
     }
 
     /// The first lane of `value` that is not right. Out of line: written out for each parameter, the checks of lanes are most of a
     /// constructor.
     #[inline(never)]
     fn missed<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
-        if self.surely_holds(value) {
+        // All at once first, for loops that change a parameter on each tick.
+        if self.right(value).is_some_and(Mask::all) {
             return None;
         }
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
     }
 
-    /// Quick answer for all lanes at once, for loops that change a parameter on each tick: true only if every lane is right, and
-    /// false for limits and requirements with a number.
+    /// Where `value` is right, in its own type: where the processor has no doubles, each comparison of them is a function. None for a
+    /// requirement with a number, which that type might round.
     #[inline(always)]
-    fn surely_holds<T: Scalar>(self, value: T) -> bool {
+    fn right<T: Scalar>(self, value: T) -> Option<T::Mask> {
         let none = T::zero();
-        let right = match self {
+        Some(match self {
             Self::Finite | Self::InRange => value.finite(),
             Self::Positive => value.finite() & value.above(none),
             Self::NonNegative => value.finite() & !value.below(none),
-            Self::Limit | Self::AboveZero | Self::AtMost(_) | Self::AtLeast(_) => return false,
-        };
-        right.all()
+            Self::Limit => value.above(none) | value.finite() & !value.below(none),
+            Self::AboveZero => value.above(none),
+            Self::AtMost(_) | Self::AtLeast(_) => return None,
+        })
     }
 
     /// `value` if every lane of it is right.

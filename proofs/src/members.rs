@@ -13,7 +13,7 @@ use nalgebra::{SVector, Vector3};
 
 use crate::fresh::{Axes, meets, parameter};
 use crate::paths::assume;
-use crate::properties::Kind;
+use crate::properties::Kind::{self, Any, Damps, Reduces, Serves, Shapes};
 use crate::seen::{Made, Seen, nothing_more, step};
 use crate::symbolic::{Symbolic, Truth};
 
@@ -131,236 +131,142 @@ fn plausible<V: Axes>() -> Vec<Seen> {
     step::<V, _>(|| damps(popc().plausible(limits()).expect("limits")), nothing_more)
 }
 
-/// The members that serve every signal.
-fn of_every_signal<V: Axes>() -> Vec<Member> {
+/// The member of this name and kind.
+const fn member(name: &'static str, kind: Kind, seen: fn() -> Vec<Seen>) -> Member {
+    Member { name, kind, seen }
+}
+
+/// Controllers with their forms of a sum.
+fn controllers<V: Axes>() -> Vec<Member> {
     vec![
-        Member {
-            name: "none",
-            kind: Kind::Any,
-            seen: || step::<V, _>(|| other(NoStabilizer), nothing_more),
-        },
-        Member {
-            name: "popc",
-            kind: Kind::Serves,
-            seen: || step::<V, _>(|| damps(popc()), nothing_more),
-        },
-        Member {
-            name: "popc-sampled",
-            kind: Kind::Serves,
-            seen: || step::<V, _>(|| damps(popc().sampled()), nothing_more),
-        },
-        Member {
-            name: "popc-compensated",
-            kind: Kind::Serves,
-            seen: || {
-                step::<V, _>(
-                    || damps(popc().summed_in::<Compensated<Of>>()),
-                    |(_, (sum, error))| (*sum + *error).finite(),
-                )
-            },
-        },
-        Member {
-            name: "lolc",
-            kind: Kind::Serves,
-            seen: || step::<V, _>(|| damps(Lolc::new(credited(), limit())), nothing_more),
-        },
-        Member {
-            name: "lolc-sampled",
-            kind: Kind::Serves,
-            seen: || step::<V, _>(|| damps(Lolc::new(credited(), limit()).sampled()), nothing_more),
-        },
-        Member {
-            name: "popc-bounded",
-            kind: Kind::Serves,
-            seen: || {
-                let most = || parameter("most", Requirement::Limit, 1.0);
-                step::<V, _>(|| damps(popc().bounded(most()).expect("a bound")), nothing_more)
-            },
-        },
-        Member { name: "popc-windowed", kind: Kind::Serves, seen: windowed::<V> },
-        Member {
-            name: "popc-threshold",
-            kind: Kind::Shapes,
-            seen: || {
-                let speed = || {
-                    let speed = not_negative("threshold");
-                    assume((speed * speed).finite());
-                    speed
-                };
-                step::<V, _>(
-                    || damps(popc().above_velocity(speed()).expect("a speed")),
-                    nothing_more,
-                )
-            },
-        },
-        Member {
-            name: "popc-spread",
-            kind: Kind::Shapes,
-            seen: || {
-                step::<V, _>(
-                    || damps(popc().spread_over(5).expect("ticks")),
-                    |(_, part)| never_negative(*part),
-                )
-            },
-        },
-        Member {
-            name: "popc-rate-limited",
-            kind: Kind::Shapes,
-            seen: || {
-                let rate = || parameter("rate", Requirement::Limit, 1.0);
-                step::<V, _>(
-                    || damps(popc().rate_limited::<V>(rate()).expect("a rate")),
-                    nothing_more,
-                )
-            },
-        },
-        Member {
-            name: "popc-rising",
-            kind: Kind::Shapes,
-            seen: || {
-                step::<V, _>(
-                    || damps(popc().rising_over(5).expect("ticks")),
-                    |(_, engaged)| never_negative(*engaged),
-                )
-            },
-        },
-        Member { name: "popc-weighted", kind: Kind::Shapes, seen: weighted::<V> },
-        Member { name: "popc-directed", kind: Kind::Shapes, seen: directed::<V> },
-        Member {
-            name: "popc-watched",
-            kind: Kind::Any,
-            seen: || {
-                let times = || WatchdogTimes {
-                    hold: parameter("hold", Requirement::Limit, 1.0),
-                    rise: not_negative("rise"),
-                };
-                let made = || other(popc().watched::<V>(times()).expect("times"));
-                step::<V, _>(made, |(_, _, silence, risen)| {
-                    never_negative(*silence) & never_negative(*risen)
-                })
-            },
-        },
-        Member {
-            name: "least-norm",
-            kind: Kind::Damps,
-            seen: || {
-                let decay = || {
-                    let decay = positive("decay");
-                    assume(meets(Requirement::AtMost(1.0), decay));
-                    decay
-                };
-                step::<V, _>(
-                    || damps(LeastNorm::new(PortEnergy, limit(), decay()).expect("a decay")),
-                    nothing_more,
-                )
-            },
-        },
-        Member {
-            name: "two-port",
-            kind: Kind::Serves,
-            seen: || {
-                step::<V, _>(
-                    || damps(TwoPortSide::<V>::new(limit())),
-                    |((received, booked, absorbed, _), _)| {
-                        none_negative(&Vector3::new(*received, *booked, *absorbed))
-                    },
-                )
-            },
-        },
-        Member { name: "two-layer", kind: Kind::Any, seen: two_layer::<V> },
-        Member {
-            name: "force-bound",
-            kind: Kind::Reduces,
-            seen: || {
-                step::<V, _>(
-                    || other(ForceBound::new(not_negative("damping")).expect("a damping")),
-                    nothing_more,
-                )
-            },
-        },
-        Member {
-            name: "force-bounding",
-            kind: Kind::Reduces,
-            seen: || {
-                step::<V, _>(
-                    || {
-                        other(
-                            ForceBounding::of_damping(not_negative("damping")).expect("a damping"),
-                        )
-                    },
-                    nothing_more,
-                )
-            },
-        },
-        Member {
-            name: "tank",
-            kind: Kind::Reduces,
-            seen: || step::<V, _>(|| other(tank()), nothing_more),
-        },
-        Member {
-            name: "energy-bounding",
-            kind: Kind::Any,
-            seen: || step::<V, _>(|| other(energy_bounding::<V>()), nothing_more),
-        },
-        Member {
-            name: "slope-bound",
-            kind: Kind::Reduces,
-            seen: || {
-                let made = || {
-                    let bound = SlopeBound::<V>::new(positive("slope")).expect("a slope");
-                    other(bound.creeping(not_negative("creep")).expect("a creep"))
-                };
-                step::<V, _>(made, nothing_more)
-            },
-        },
+        member("none", Any, || step::<V, _>(|| other(NoStabilizer), nothing_more)),
+        member("popc", Serves, || step::<V, _>(|| damps(popc()), nothing_more)),
+        member("popc-sampled", Serves, || step::<V, _>(|| damps(popc().sampled()), nothing_more)),
+        member("popc-compensated", Serves, || {
+            let made = || damps(popc().summed_in::<Compensated<Of>>());
+            step::<V, _>(made, |(_, (sum, error))| (*sum + *error).finite())
+        }),
+        member("lolc", Serves, || {
+            step::<V, _>(|| damps(Lolc::new(credited(), limit())), nothing_more)
+        }),
+        member("lolc-sampled", Serves, || {
+            step::<V, _>(|| damps(Lolc::new(credited(), limit()).sampled()), nothing_more)
+        }),
+        member("popc-bounded", Serves, || {
+            let most = || parameter("most", Requirement::Limit, 1.0);
+            step::<V, _>(|| damps(popc().bounded(most()).expect("a bound")), nothing_more)
+        }),
+        member("popc-windowed", Serves, windowed::<V>),
     ]
+}
+
+/// A controller within what shapes its correction.
+fn shaped<V: Axes>() -> Vec<Member> {
+    vec![
+        member("popc-threshold", Shapes, || {
+            let made = || {
+                let speed = not_negative("threshold");
+                assume((speed * speed).finite());
+                damps(popc().above_velocity(speed).expect("a speed"))
+            };
+            step::<V, _>(made, nothing_more)
+        }),
+        member("popc-spread", Shapes, || {
+            let made = || damps(popc().spread_over(5).expect("ticks"));
+            step::<V, _>(made, |(_, part)| never_negative(*part))
+        }),
+        member("popc-rate-limited", Shapes, || {
+            let rate = || parameter("rate", Requirement::Limit, 1.0);
+            step::<V, _>(|| damps(popc().rate_limited::<V>(rate()).expect("a rate")), nothing_more)
+        }),
+        member("popc-rising", Shapes, || {
+            let made = || damps(popc().rising_over(5).expect("ticks"));
+            step::<V, _>(made, |(_, engaged)| never_negative(*engaged))
+        }),
+        member("popc-weighted", Shapes, weighted::<V>),
+        member("popc-directed", Shapes, directed::<V>),
+        member("popc-watched", Any, || {
+            let times = || WatchdogTimes {
+                hold: parameter("hold", Requirement::Limit, 1.0),
+                rise: not_negative("rise"),
+            };
+            let made = || other(popc().watched::<V>(times()).expect("times"));
+            step::<V, _>(made, |(_, _, silence, risen)| {
+                never_negative(*silence) & never_negative(*risen)
+            })
+        }),
+    ]
+}
+
+/// The family beside POPC and LOLC.
+fn further<V: Axes>() -> Vec<Member> {
+    vec![
+        member("least-norm", Damps, || {
+            let made = || {
+                let decay = positive("decay");
+                assume(meets(Requirement::AtMost(1.0), decay));
+                damps(LeastNorm::new(PortEnergy, limit(), decay).expect("a decay"))
+            };
+            step::<V, _>(made, nothing_more)
+        }),
+        member("two-port", Serves, || {
+            let made = || damps(TwoPortSide::<V>::new(limit()));
+            step::<V, _>(made, |((received, booked, absorbed, _), _)| {
+                none_negative(&Vector3::new(*received, *booked, *absorbed))
+            })
+        }),
+        member("two-layer", Any, two_layer::<V>),
+        member("force-bound", Reduces, || {
+            let made = || other(ForceBound::new(not_negative("damping")).expect("a damping"));
+            step::<V, _>(made, nothing_more)
+        }),
+        member("force-bounding", Reduces, || {
+            let bounding = || ForceBounding::of_damping(not_negative("damping"));
+            step::<V, _>(|| other(bounding().expect("a damping")), nothing_more)
+        }),
+        member("tank", Reduces, || step::<V, _>(|| other(tank()), nothing_more)),
+        member("energy-bounding", Any, || {
+            step::<V, _>(|| other(energy_bounding::<V>()), nothing_more)
+        }),
+        member("slope-bound", Reduces, || {
+            let made = || {
+                let bound = SlopeBound::<V>::new(positive("slope")).expect("a slope");
+                other(bound.creeping(not_negative("creep")).expect("a creep"))
+            };
+            step::<V, _>(made, nothing_more)
+        }),
+    ]
+}
+
+/// The members that serve every signal.
+fn of_every_signal<V: Axes>() -> impl Iterator<Item = Member> {
+    [controllers::<V>(), shaped::<V>(), further::<V>()].into_iter().flatten()
 }
 
 /// The members on one axis.
 pub(crate) fn on_one_axis() -> Vec<Member> {
-    let mut members = of_every_signal::<Of>();
-    members.push(Member { name: "popc-plausible", kind: Kind::Damps, seen: plausible::<Of> });
-    members.push(Member {
-        name: "popc-contact-reset",
-        kind: Kind::Serves,
-        seen: || {
-            let contact = || InContact { position: parameter("surface", Requirement::Finite, 0.0) };
+    let alone = [
+        member("popc-plausible", Damps, plausible::<Of>),
+        member("popc-contact-reset", Serves, || {
+            let contact = || InContact { position: surface() };
             step::<Of, _>(|| damps(popc().reset_at(contact())), nothing_more)
-        },
-    });
-    members.push(Member {
-        name: "memory-based",
-        kind: Kind::Any,
-        seen: || {
-            let made = || {
-                other(
-                    MemoryBased::<Of, 4>::beyond(
-                        parameter("surface", Requirement::Finite, 0.0),
-                        depth(),
-                    )
-                    .expect("a memory"),
-                )
-            };
+        }),
+        member("memory-based", Any, || {
+            let memory = || MemoryBased::<Of, 4>::beyond(surface(), depth());
+            let made = || other(memory().expect("a memory"));
             step::<Of, _>(made, |(_, forces, _)| none_negative(forces))
-        },
-    });
-    members.push(Member {
-        name: "path-memory",
-        kind: Kind::Any,
-        seen: || {
-            let made = || {
-                other(
-                    PathMemory::<Of, 4>::beyond(
-                        parameter("surface", Requirement::Finite, 0.0),
-                        depth(),
-                    )
-                    .expect("a memory"),
-                )
-            };
+        }),
+        member("path-memory", Any, || {
+            let memory = || PathMemory::<Of, 4>::beyond(surface(), depth());
+            let made = || other(memory().expect("a memory"));
             step::<Of, _>(made, |(forces, debt)| none_negative(forces) & never_negative(*debt))
-        },
-    });
-    members
+        }),
+    ];
+    of_every_signal::<Of>().chain(alone).collect()
+}
+
+fn surface() -> Of {
+    parameter("surface", Requirement::Finite, 0.0)
 }
 
 fn depth() -> Of {
@@ -371,19 +277,13 @@ fn depth() -> Of {
 
 /// The members on three axes.
 pub(crate) fn on_three_axes() -> Vec<Member> {
-    let mut members = of_every_signal::<Vector3<Of>>();
-    // An axis that nothing resolves is at rest for what is inside, beside others that move.
-    let seen = plausible::<Vector3<Of>>;
-    members.push(Member { name: "popc-plausible", kind: Kind::Shapes, seen });
-    members.push(Member {
-        name: "per-axis",
-        kind: Kind::Any,
-        seen: || {
-            step::<Vector3<Of>, _>(
-                || damps(PerAxis::of([popc(), popc(), popc()])),
-                |_| Truth::of(true),
-            )
-        },
-    });
-    members
+    let alone = [
+        // An axis that nothing resolves is at rest for what is inside, beside others that move.
+        member("popc-plausible", Shapes, plausible::<Vector3<Of>>),
+        member("per-axis", Any, || {
+            let made = || damps(PerAxis::of([popc(), popc(), popc()]));
+            step::<Vector3<Of>, _>(made, |_| Truth::of(true))
+        }),
+    ];
+    of_every_signal::<Vector3<Of>>().chain(alone).collect()
 }

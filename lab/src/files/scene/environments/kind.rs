@@ -2,12 +2,16 @@
 
 use std::fmt;
 
-use lyapunov::{Dissipation, ParameterError, Scalar, bodies::Impedance, environments::Solid};
+use lyapunov::{
+    Dissipation, ParameterError, Scalar,
+    bodies::Impedance,
+    environments::{Contact, Solid},
+};
 use nalgebra::SVector;
 
 use super::render::Render;
 use crate::files::scene::check::Conflict;
-use crate::files::scene::quantity::{Finite, NonNegative};
+use crate::files::scene::quantity::{Finite, NonNegative, of};
 use crate::files::scene::{Coordinates, Draft, Lanes};
 
 /// A function that formats a number.
@@ -110,11 +114,18 @@ pub(super) trait InSpace: EnvironmentKind {
         &self,
     ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError>;
 
+    /// The stiffness, N/m, and the damping, N·s/m, at its surface.
+    fn touch(&self) -> (NonNegative, NonNegative);
+
     /// The result of `to` for the library's environment.
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,
         to: R,
-    ) -> Result<R::Made, ParameterError>;
+    ) -> Result<R::Made, ParameterError> {
+        let (stiffness, damping) = self.touch();
+        let contact = Contact::with(self.solid::<T, N>()?, of(stiffness), of(damping))?;
+        to.render(contact, contact.dissipation())
+    }
 }
 
 /// The rates, in Hz, at which an environment and the credit of its damper advance their time.

@@ -1,20 +1,15 @@
 //! A half space.
 
-use lyapunov::{
-    ParameterError, Scalar,
-    bodies::Impedance,
-    environments::{Contact, Solid},
-};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Solid};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::kind::{EnvironmentKind, InSpace, Number, damped, spring_and_damper};
-use super::render::Render;
 use crate::files::scene::book::{Key, key};
 use crate::files::scene::check::Conflict;
 use crate::files::scene::coordinates::Coordinates;
-use crate::files::scene::quantity::{Finite, NonNegative, of};
+use crate::files::scene::quantity::{Finite, NonNegative};
 
 /// A half space, pushed from outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -86,11 +81,7 @@ impl InSpace for Plane {
         lyapunov::environments::Plane::new(self.point.vector::<T, N>(), self.normal.vector())
     }
 
-    fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
-        &self,
-        to: R,
-    ) -> Result<R::Made, ParameterError> {
-        let contact = Contact::with(self.solid::<T, N>()?, of(self.stiffness), of(self.damping))?;
-        to.render(contact, contact.dissipation())
+    fn touch(&self) -> (NonNegative, NonNegative) {
+        (self.stiffness, self.damping)
     }
 }

@@ -1,16 +1,11 @@
 //! A ball.
 
-use lyapunov::{
-    ParameterError, Scalar,
-    bodies::Impedance,
-    environments::{Contact, Solid},
-};
+use lyapunov::{ParameterError, Scalar, bodies::Impedance, environments::Solid};
 use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::kind::{EnvironmentKind, InSpace, Number, damped, spring_and_damper};
-use super::render::Render;
 use crate::files::scene::book::{Key, key};
 use crate::files::scene::coordinates::Coordinates;
 use crate::files::scene::quantity::{Finite, NonNegative, Positive, of};
@@ -69,11 +64,7 @@ impl InSpace for Sphere {
         lyapunov::environments::Sphere::new(self.center.vector::<T, N>(), of(self.radius))
     }
 
-    fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
-        &self,
-        to: R,
-    ) -> Result<R::Made, ParameterError> {
-        let contact = Contact::with(self.solid::<T, N>()?, of(self.stiffness), of(self.damping))?;
-        to.render(contact, contact.dissipation())
+    fn touch(&self) -> (NonNegative, NonNegative) {
+        (self.stiffness, self.damping)
     }
 }
