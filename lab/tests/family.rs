@@ -164,9 +164,9 @@ fn the_published_laws_know_the_delay_of_the_scene() {
         );
         let scene = Scene::parse(&late, "test").unwrap();
         let by_hand = |name: &str| match name {
-            "energy-bounding" => {
-                AnyStabilizer::new(EnergyBounding::delayed(0.25, PERIOD, ticks).unwrap())
-            }
+            "energy-bounding" => AnyStabilizer::new(
+                EnergyBounding::of_damping(0.25, PERIOD).unwrap().delayed(ticks).unwrap(),
+            ),
             "force-bounding" => {
                 let bounding = ForceBounding::of_damping(0.25).unwrap();
                 AnyStabilizer::new(bounding.delayed::<20>(ticks).unwrap())

@@ -160,8 +160,8 @@ impl fmt::Display for Requirement {
             Self::NonNegative => f.write_str("at least 0 and finite"),
             Self::Limit => f.write_str("at least 0 (infinity: no limit)"),
             Self::AboveZero => f.write_str("above 0 (infinity: no limit)"),
-            Self::AtMost(most) => write!(f, "at most {most}"),
-            Self::AtLeast(least) => write!(f, "at least {least} and finite"),
+            Self::AtMost(most) => write!(f, "at most {most:?}"),
+            Self::AtLeast(least) => write!(f, "at least {least:?} and finite"),
             Self::InRange => f.write_str("such that the result is within the range of the scalar"),
         }
     }

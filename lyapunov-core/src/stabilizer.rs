@@ -54,6 +54,12 @@ impl<P, S, V: Signal> Stabilized<P, S, V> {
         &self.port
     }
 
+    /// The watched port, to be changed between ticks.
+    #[inline]
+    pub fn port_mut(&mut self) -> &mut P {
+        &mut self.port
+    }
+
     /// The stabilizer in front of it.
     #[inline]
     pub fn stabilizer(&self) -> &S {

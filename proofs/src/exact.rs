@@ -107,14 +107,16 @@ fn force_bounded<S: Stabilizer<Of> + Snapshot<State = (Of, SVector<Of, 0>)>>(
     })
 }
 
-/// Energy bounding: `E ≥ F² / (2 c)` is kept, with `E` the energy of port and damper.
-fn energy_bounded<B>(make: impl Fn(Of) -> (EnergyBounding<Of, B>, Of)) -> Vec<Path<Truth>>
+/// Energy bounding: `E ≥ F² / (2 c)` is kept, with `E` the energy of port and damper, over a sample that spans any time up to
+/// `2 b / c`.
+fn energy_bounded<B>(make: impl Fn(Of, Of) -> (EnergyBounding<Of, B>, Of)) -> Vec<Path<Truth>>
 where
     EnergyBounding<Of, B>: Stabilizer<Of> + Snapshot<State = (Of, Of)>,
 {
     paths::every(|| {
-        let period = positive("period");
-        let (bounding, slope) = make(period);
+        let (damping, usual, period) = (positive("damping"), positive("usual"), positive("period"));
+        let (bounding, slope) = make(damping, usual);
+        assume(at_least(Of::of(2.0) * damping, slope * period));
         let (force, energy) = (free("force"), free("energy"));
         let two = Of::of(2.0);
         assume(at_least(two * slope * energy, force * force));
@@ -129,10 +131,11 @@ where
 
 /// Energy bounding as published; its root is free but for what the claim beside it shows.
 fn energy_bounded_as_published() -> Vec<Path<Truth>> {
-    energy_bounded(|_| {
+    energy_bounded(|damping, usual| {
         let (rise, release) = (positive("c1"), positive("c2"));
-        assume(!release.above(rise));
-        (EnergyBounding::new(rise, release).expect("constants"), release)
+        assume(!release.above(rise) & at_least(damping, rise * usual));
+        let bounding = EnergyBounding::new(rise, release).expect("constants");
+        (bounding.on_damping(damping, usual).expect("a damping"), release)
     })
 }
 
@@ -339,10 +342,9 @@ pub(crate) const CLAIMS: &[Claim] = &[
     Claim {
         name: "energy-bounding-tight",
         paths: || {
-            energy_bounded(|period| {
-                let damping = positive("damping");
-                let slope = Of::of(2.0) * (damping / period);
-                (EnergyBounding::tight(damping, period).expect("a damping"), slope)
+            energy_bounded(|damping, usual| {
+                let slope = Of::of(2.0) * (damping / usual);
+                (EnergyBounding::tight(damping, usual).expect("a damping"), slope)
             })
         },
         cut: || None,

@@ -4,7 +4,7 @@ use lyapunov::lanes::AutoF64x4;
 use lyapunov::{HeldTick, Scalar, Stabilizer, stabilizers::EnergyBounding};
 use nalgebra::Vector3;
 
-use crate::adversary::{DAMPING, least};
+use crate::adversary::{DAMPING, least, least_over};
 use crate::support::{Dice, PERIOD};
 use crate::worked::{A, B, felt, near};
 
@@ -105,8 +105,8 @@ fn a_late_force_falls_no_faster_than_it_rises() {
     };
     let at_once = 0.25 - 1.0 - (0.25f64.powi(2) + 1.0).sqrt();
     assert!((fallen(of(500.0, 250.0)) - at_once).abs() < 1e-12);
-    assert!((fallen(of(500.0, 250.0).late(0)) - at_once).abs() < 1e-12);
-    assert!((fallen(of(500.0, 250.0).late(1)) + 0.5).abs() < 1e-12);
+    assert!((fallen(of(500.0, 250.0).delayed(0).expect("one")) - at_once).abs() < 1e-12);
+    assert!((fallen(of(500.0, 250.0).with_bounded_fall()) + 0.5).abs() < 1e-12);
 }
 
 /// Port and damper together give nothing, whatever the motion, and the sum that is told is theirs.
@@ -122,10 +122,45 @@ fn an_adversary_gets_nothing() {
 }
 
 #[test]
+fn nor_in_samples_of_up_to_two_periods() {
+    let rate = DAMPING / PERIOD;
+    let one = || EnergyBounding::of_damping(DAMPING, PERIOD).expect("one");
+    assert!(least_over(one, 0, 2.0) >= -1e-12);
+    let soft = || of(rate, 0.5 * rate).on_damping(DAMPING, PERIOD).expect("one");
+    assert!(least_over(soft, 0, 4.0) >= -1e-12);
+    // Neither over longer times, nor where the period is not told.
+    assert!(least_over(one, 0, 8.0) < -1e-3 && least_over(soft, 0, 16.0) < -1e-3);
+    assert!(least_over(|| of(rate, rate), 0, 2.0) < -1e-3);
+}
+
+/// 10 mm in ten periods of 1 ms: a damper of 0.5 N·s/m dissipates 0.5 N·s/m · (10 mm)² / 10 ms = 5 mJ.
+#[test]
+fn a_sample_of_several_periods_is_booked_over_its_own() {
+    let moved = 0.01;
+    let tick = HeldTick {
+        period: 10.0 * PERIOD,
+        position: moved,
+        velocity: moved / (10.0 * PERIOD),
+        displacement: moved,
+        applied: 0.0,
+    };
+    let mut one = EnergyBounding::of_damping(DAMPING, PERIOD).expect("one");
+    let mut tight = EnergyBounding::<f64, _>::tight(DAMPING, PERIOD).expect("one");
+    for told in [one.stabilize(&tick.sample(), 9.0), tight.stabilize(&tick.sample(), 9.0)] {
+        assert!((told.observed_energy - 0.005).abs() < 1e-15, "{told:?}");
+        assert!(told.effort.abs() <= (2.0 * 1000.0 * 0.005f64).sqrt(), "{told:?}");
+    }
+}
+
+#[test]
 fn late_forces_need_smaller_constants() {
     assert!(least(|| EnergyBounding::of_damping(DAMPING, PERIOD).expect("one"), 1) < -1e-3);
     for late in 0..5 {
-        let delayed = || EnergyBounding::delayed(DAMPING, PERIOD, late).expect("one");
+        let delayed = || {
+            EnergyBounding::of_damping(DAMPING, PERIOD)
+                .and_then(|it| it.delayed(late))
+                .expect("one")
+        };
         let found = least(delayed, late as usize);
         assert!(found >= -1e-12, "{found} at {late} ticks");
     }
@@ -189,12 +224,13 @@ fn small_steps_are_none() {
 #[test]
 fn what_cannot_be_right_is_refused() {
     let refused = EnergyBounding::<f64>::new(500.0, 501.0).expect_err("c2 above c1").to_string();
-    assert_eq!(refused, "energy-bounding c2 is 501.0; it must be at most 500");
+    assert_eq!(refused, "energy-bounding c2 is 501.0; it must be at most 500.0");
     let lanes = AutoF64x4::from([600.0, 500.0, 400.0, 300.0]);
     assert!(EnergyBounding::<AutoF64x4>::new(AutoF64x4::of(500.0), lanes).is_err());
     assert!(EnergyBounding::<f64>::new(0.0, 0.0).is_err());
     assert!(EnergyBounding::<f64>::of_damping(f64::NAN, 1e-3).is_err());
     assert!(EnergyBounding::<f64>::of_damping(1.0, 0.0).is_err());
-    assert!(EnergyBounding::<f64>::delayed(1e-308, 1e-3, u32::MAX).is_ok());
+    let slow = EnergyBounding::<f64>::of_damping(1e-308, 1e-3).expect("one");
+    assert!(slow.delayed(u32::MAX).is_ok());
     assert!(EnergyBounding::<f64, _>::tight(1e308, 1e-3).is_err());
 }

@@ -38,7 +38,11 @@ fn build<T: Scalar>(number: usize) -> Option<Box<dyn Stabilizer<T>>> {
         ),
         13 => Box::new(PathMemory::<T, 32>::beyond(of(-0.01), of(0.1)).expect("one")),
         14 => Box::new(EnergyBounding::<T>::new(of(500.0), of(250.0)).expect("one")),
-        15 => Box::new(EnergyBounding::<T>::delayed(of(0.5), of(PERIOD), 2).expect("one")),
+        15 => Box::new(
+            EnergyBounding::<T>::of_damping(of(0.5), of(PERIOD))
+                .and_then(|it| it.delayed(2))
+                .expect("one"),
+        ),
         16 => Box::new(EnergyBounding::<T, _>::tight(of(0.5), of(PERIOD)).expect("one")),
         17 => Box::new(ForceBounding::of_damping(of(0.1)).expect("one")),
         18 => Box::new(

@@ -129,7 +129,8 @@ fn a_force_bound_is_no_damper() {
 fn answered<V: Signal>() {
     let of = V::Scalar::of;
     hostile::is_answered::<V>(&EnergyBounding::new(of(500.0), of(250.0)).expect("constants"));
-    let delayed = EnergyBounding::delayed(of(0.5), of(PERIOD), 2).expect("a delay");
+    let prompt = EnergyBounding::of_damping(of(0.5), of(PERIOD)).expect("a damping");
+    let delayed = prompt.delayed(2).expect("a delay");
     hostile::is_answered::<V>(&delayed);
     let tight = EnergyBounding::<V, _>::tight(of(0.5), of(PERIOD)).expect("a damping");
     hostile::is_answered::<V>(&tight);

@@ -180,9 +180,9 @@ fn a_memory_is_that_of_its_member() {
             if let Err(error) = restored {
                 let told = error.to_string();
                 let bound = if own > place {
-                    format!("at most {place}")
+                    format!("at most {place}.0")
                 } else {
-                    format!("at least {place} and")
+                    format!("at least {place}.0 and")
                 };
                 assert!(error.value == own as f64 && told.contains(&bound), "{told}");
             }

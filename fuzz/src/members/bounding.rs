@@ -66,7 +66,8 @@ fn energies<T: Real>(members: &mut Vec<Member>) {
             let release = rise * T::of(f64::from(share) / 255.0);
             let member: Result<EnergyBounding<T>, _> = match share % 4 {
                 0 => EnergyBounding::of_damping(rise, bytes.positive()),
-                1 => EnergyBounding::delayed(rise, bytes.positive(), bytes.ticks(20)),
+                1 => EnergyBounding::of_damping(rise, bytes.positive())
+                    .and_then(|it| it.delayed(bytes.ticks(20))),
                 2 => EnergyBounding::new(rise, bytes.parameter()),
                 _ => EnergyBounding::new(rise, release),
             };

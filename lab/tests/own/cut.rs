@@ -51,7 +51,7 @@ fn what_a_maker_refuses_is_told_in_its_words() {
     assert!(told.contains("hold.toml:24:9: share is 0.5; it must be at most 0.1"), "{told}");
     assert!(told.contains("`stabilizer.choosing.share` = 0.5 is that number"), "{told}");
     let told = fault("[stabilizer.choosing]\nshare = 0.001");
-    assert!(told.contains("half of a share is 0.5; it must be at least 1 and finite"), "{told}");
+    assert!(told.contains("half of a share is 0.5; it must be at least 1.0 and finite"), "{told}");
     assert!(told.contains("hold.toml:23") && told.contains("that it follows from"), "{told}");
     for told in [fault("[stabilizer.choosing]\nshare = 0.5"), told] {
         assert!(!told.contains("range") && !told.contains("nearer to 1"), "{told}");

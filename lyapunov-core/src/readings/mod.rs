@@ -165,7 +165,8 @@ impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
     }
 
     /// The same readings with velocities over up to `ticks` readings, as long as positions lie within `band`, m, of a
-    /// line ([`Windowed`]); `N` is the capacity.
+    /// line ([`Windowed`]); `N` is the capacity. For a steady period: under a clock that jitters, each velocity errs by as much as
+    /// the last period does.
     ///
     /// # Errors
     /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.

@@ -37,6 +37,11 @@ impl<P, T: Scalar> Scaled<P, T> {
         Ok(Self { port, scale: Self::checked(scale)? })
     }
 
+    /// The present scale.
+    pub fn scale(&self) -> T {
+        self.scale
+    }
+
     /// Sets another scale, from the next effort on.
     ///
     /// # Errors

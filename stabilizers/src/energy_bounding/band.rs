@@ -9,6 +9,9 @@ pub trait Band<T: Scalar> {
 
     /// The damping over the period that it relies on, `b / T`, N/m.
     fn burns(&self) -> T;
+
+    /// `c` of the stored energy `F² / (2 c)`, N/m.
+    fn release(&self) -> T;
 }
 
 /// The published band: of the slopes `γmin ≤ β ≤ min(c1, γmax)`, in forces.
@@ -42,6 +45,11 @@ impl<T: Scalar> Band<T> for Published<T> {
     fn burns(&self) -> T {
         self.burns
     }
+
+    #[inline(always)]
+    fn release(&self) -> T {
+        self.release
+    }
 }
 
 /// The largest band for which `F² / (2 c)` is a storage: `|F(k)| ≤ |F(k−1) + c Δx|`.
@@ -62,6 +70,11 @@ impl<T: Scalar> Band<T> for Tight<T> {
     #[inline(always)]
     fn burns(&self) -> T {
         self.slope * T::of(0.5)
+    }
+
+    #[inline(always)]
+    fn release(&self) -> T {
+        self.slope
     }
 }
 

@@ -31,6 +31,12 @@ use band::{Band, Published, Tight};
 /// surely there, and a force that acts over the next period as it was given. For one that acts `d` ticks late take
 /// [`delayed`](Self::delayed); with `c1 = b / T` a tick too late an adversary does take energy out.
 ///
+/// **A sample that spans more than the period `T`**, as after a missed reading, finds a damper that dissipated no more than
+/// `b Δx² / T(k)`, with `T(k)` the sample's own period. There the force also has to be within what is left of the stored energy,
+/// `F(k)² ≤ F(k−1)² + 2 c2 (F(k−1) Δx + b Δx² / T(k))`, or rather within a simpler bound that is never above it:
+/// `|F(k)| ≤ |F| (1 − ε (c2 Δx / F)²)` with `F = F(k−1) + c2 Δx` and `ε = 1 − 2 b / (c2 T(k))`, not below 0. So the guarantee
+/// holds as long as `T(k) ≤ 2 b / c2`. Over a longer time a held force may give more than is stored, which the shortfall tells.
+///
 /// `c1` is the steepest wall that is felt, `c2` how fast energy may be handed back. It needs no velocity and adds no
 /// damping: it bounds a swing and need not end it. While nothing moves the force stays, so that what was not reached at
 /// rest is never reached.
@@ -50,12 +56,15 @@ use band::{Band, Published, Tight};
 #[derive(Clone, Copy, Debug)]
 pub struct EnergyBounding<V: Signal, B = Published<<V as Signal>::Scalar>> {
     band: B,
+    /// The longest period over which `b Δx² / T` is what the damper dissipates.
+    period: V::Scalar,
     force: V,
     energy: Plain<V::Scalar>,
 }
 
 impl<V: Signal> EnergyBounding<V> {
-    /// The algorithm with the constants `c1` and `c2`, N/m; it relies on a device damping of `c1 T`.
+    /// The algorithm with the constants `c1` and `c2`, N/m; it relies on a device damping of `c1 T` with the longest period of any
+    /// sample. Where samples may span several periods, give damping and period: [`on_damping`](Self::on_damping).
     ///
     /// # Errors
     /// `c1` or `c2` not above 0 and finite; `c2` above `c1`: on the way out the two bounds would not be compatible.
@@ -67,7 +76,8 @@ impl<V: Signal> EnergyBounding<V> {
             most.check("energy-bounding c2", release.lane(lane))?;
         }
         let fall = V::Scalar::largest();
-        Ok(Self::within(Published { rise, release, fall, burns: rise }))
+        let band = Published { rise, release, fall, burns: rise };
+        Ok(Self::within(band, V::Scalar::largest()))
     }
 
     /// `c1 = c2 = b / T`, for a device that surely has the viscous `damping` b, N·s/m.
@@ -75,27 +85,29 @@ impl<V: Signal> EnergyBounding<V> {
     /// # Errors
     /// `damping` or `period` not above 0 and finite, or their quotient out of range.
     pub fn of_damping(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
-        Self::delayed(damping, period, 0)
+        let slope = rate(damping, period)?;
+        Self::new(slope, slope)?.on_damping(damping, period)
     }
 
-    /// `c1 = c2 = b / (T (1 + d))`, for a force that acts `ticks` d periods late; derived here.
-    ///
-    /// While a force waits the motion goes on, and `β` must not fall below `−c1` either: then each late tick costs at
-    /// most `c1 Σ Δx²`.
+    /// The same algorithm for a force that acts `ticks` d periods late: both constants divided by `1 + d`, and `β` does not
+    /// [fall](Self::with_bounded_fall) below `−c1` either. Derived here: while a force waits the motion goes on, and then each late
+    /// tick costs at most `c1 Σ Δx²`.
     ///
     /// # Errors
-    /// As [`of_damping`](Self::of_damping).
-    pub fn delayed(
-        damping: V::Scalar,
-        period: V::Scalar,
-        ticks: u32,
-    ) -> Result<Self, ParameterError> {
-        let slope = rate(damping, period)? / V::Scalar::of(1.0 + f64::from(ticks));
-        Ok(Self::new(slope, slope)?.on_damping(damping, period)?.late(ticks))
+    /// A constant that the division takes out of range.
+    pub fn delayed(mut self, ticks: u32) -> Result<Self, ParameterError> {
+        let times = V::Scalar::of(1.0 + f64::from(ticks));
+        let Published { rise, release, .. } = self.band;
+        let within = |name, constant: V::Scalar| {
+            in_range(name, constant, constant / times, Requirement::Positive)
+        };
+        self.band.rise = within("energy-bounding c1", rise)?;
+        self.band.release = within("energy-bounding c2", release)?;
+        Ok(if ticks == 0 { self } else { self.with_bounded_fall() })
     }
 
-    /// The same algorithm on a device that has the viscous `damping` b, N·s/m, which may be another than `c1 T`; what it
-    /// dissipates is counted in the observed energy.
+    /// The same algorithm on a device that has the viscous `damping` b, N·s/m, which may be another than `c1 T`, at the `period` T, s;
+    /// what it dissipates is counted in the observed energy.
     ///
     /// # Errors
     /// `damping` below 0, infinite or NaN; `period` not above 0 and finite, or their quotient out of range.
@@ -107,13 +119,15 @@ impl<V: Signal> EnergyBounding<V> {
         let damping = Requirement::NonNegative.check("device damping", damping)?;
         let period = Requirement::Positive.check("period", period)?;
         let burns = damping / period;
+        self.period = period;
         self.band.burns = in_range("device damping", damping, burns, Requirement::NonNegative)?;
         Ok(self)
     }
 
-    /// The same algorithm for a force that acts `ticks` periods late: `β` does not fall below `−c1` either.
-    pub fn late(mut self, ticks: u32) -> Self {
-        self.band.fall = if ticks == 0 { V::Scalar::largest() } else { self.band.rise };
+    /// The same algorithm with `β ≥ −c1` as well, which a late force needs besides constants of at most `b / (T (1 + d))`;
+    /// [`delayed`](Self::delayed) does both.
+    pub fn with_bounded_fall(mut self) -> Self {
+        self.band.fall = self.band.rise;
         self
     }
 }
@@ -128,14 +142,23 @@ impl<V: Signal> EnergyBounding<V, Tight<V::Scalar>> {
     pub fn tight(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
         let slope = V::Scalar::of(2.0) * rate(damping, period)?;
         let slope = in_range("device damping", damping, slope, Requirement::Positive)?;
-        Ok(Self::within(Tight { slope }))
+        Ok(Self::within(Tight { slope }, period))
     }
 }
 
 impl<V: Signal, B> EnergyBounding<V, B> {
-    fn within(band: B) -> Self {
-        Self { band, force: V::zero(), energy: Plain::zero() }
+    fn within(band: B, period: V::Scalar) -> Self {
+        Self { band, period, force: V::zero(), energy: Plain::zero() }
     }
+}
+
+/// The largest force, N, after one of `force` over a displacement that asks for another `given` N, of which the share `lost` is not
+/// stored: `√(F² − ε g²) ≥ F (1 − ε g² / F²)` with `F = force + given`.
+#[inline(always)]
+fn kept<T: Scalar>(force: T, given: T, lost: T) -> T {
+    let (whole, given) = ((force + given).magnitude(), given.magnitude());
+    let ratio = (given / whole.larger(T::smallest_normal())).smaller(T::largest());
+    (whole - lost * given * ratio).larger(T::of(0.0))
 }
 
 /// `b / T`, N/m.
@@ -150,9 +173,11 @@ impl<V: Signal, B> StabilizerExt for EnergyBounding<V, B> {}
 impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
-        let zero = V::Scalar::of(0.0);
+        let [zero, one, two] = [0.0, 1.0, 2.0].map(V::Scalar::of);
         let moved = sample.displacement;
-        let burnt = self.band.burns() * moved.inner(moved);
+        let share = (self.period / sample.period).smaller(one);
+        let burns = self.band.burns() * share;
+        let burnt = burns * moved.inner(moved);
         // What the damper dissipates over an unknown time is unknown, and with it the tick's change.
         let unknown = V::Scalar::of(f64::NAN);
         let change = V::Scalar::choose(sample.timed(), sample.work.sum() + burnt, unknown);
@@ -163,6 +188,12 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         let least = self.force.zip(moved, |force, moved| band.ends(force, moved).0);
         let most = self.force.zip(moved, |force, moved| band.ends(force, moved).1);
         let bounded = effort.zip(least, Scalar::larger).zip(most, Scalar::smaller);
+
+        let release = band.release();
+        let lost = (one - two * burns / release).larger(zero);
+        let most = self.force.zip(moved, |force, moved| kept(force, release * moved, lost));
+        let within = bounded.zip(most, |force, most| force.larger(-most).smaller(most));
+        let bounded = V::choose(share.below(one), within, bounded);
         let accepted = booked & effort.finite() & moved.finite() & bounded.finite();
         self.force = V::choose(accepted, bounded, V::zero());
         let shortfall = (-sum).larger(zero);

@@ -38,7 +38,7 @@ use reset::Reset;
 /// **Guarantee**: port and damper together, `E`, are at least 0 for every motion, and where the force is at its bound
 /// the displacement `Δx = −F T / (2 b)` leaves exactly 0; so no larger force would do, of what was dissipated since the
 /// last tick without a force. **Assumed** are a viscous damping that is surely there, `b ∫ v² dt ≥ b Δx² / T`, and a
-/// force that acts over the next period as it was given.
+/// force that acts as it was given, over a next period that is no longer than this one.
 ///
 /// A force that acts `d` ticks late is in the pipe, and what it may take, `F² T / (4 b)` at most, is set aside first
 /// ([`delayed`](Self::delayed); derived here). Then the guarantee holds at any `d`. Without it `E` may fall below 0,

@@ -224,7 +224,7 @@ pub(crate) fn family(ticks: u64) -> Done {
         let store = TankLimits { start: n(0.01), floor: n(0.001), ceiling: n(0.02), power: n(1.0) };
         run::<V>(ticks, "tank", Tank::new((PortEnergy, Dissipation::of(n(0.5))?), store)?)
     });
-    every!(V { run::<V>(ticks, "energy_bounding", EnergyBounding::<V>::delayed(n(0.5), n(0.001), 2)?) });
+    every!(V { run::<V>(ticks, "energy_bounding", EnergyBounding::<V>::of_damping(n(0.5), n(0.001))?.delayed(2)?) });
     every!(V {
         let candidate = (PortEnergy, Dissipation::of(n(0.5))?);
         let filter = LeastNorm::new(candidate, limit()?, n(0.5))?.budgeted(n(0.001))?;

@@ -91,7 +91,7 @@ blocks! {
             /// The delay of the force in ticks.
             late: u32,
         };
-        |given| EnergyBounding::delayed(given.damping, given.period, given.late);
+        |given| EnergyBounding::of_damping(given.damping, given.period)?.delayed(given.late);
         [life stabilizer account]
     }
     /// Least-norm filter (LeastNorm): the least damping that keeps the observed energy above a decaying barrier.

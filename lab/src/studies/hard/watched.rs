@@ -196,8 +196,8 @@ impl Meter {
             Credit::None | Credit::Damper { .. } => 0.0,
             // What the damper dissipates over no time is unknown.
             Credit::Moved { .. } if !sight.timed() => f64::NAN,
-            Credit::Moved { damping, period } => {
-                let period = period.unwrap_or(sight.period);
+            Credit::Moved { damping, least } => {
+                let period = sight.period.max(*least);
                 damping * (sight.displacement.inner(&sight.displacement) / period)
             }
             Credit::Reference(reference) => {

@@ -25,8 +25,7 @@ table! {
 
 impl StabilizerKind for EnergyBounding {
     fn pledge(&self, on: &Basis) -> Pledge {
-        // Its bounds and its account are made for one period.
-        let credit = Credit::Moved { damping: on.damping, period: Some(on.limit.period) };
+        let credit = Credit::Moved { damping: on.damping, least: on.limit.period };
         Pledge { credit, manner: Manner::Follows, ..Pledge::POPC }
     }
 
@@ -57,9 +56,7 @@ impl Anywhere for EnergyBounding {
         to: R,
     ) -> Result<R::Made, ParameterError> {
         let law = Law::new(on.each(Self::c1), on.each(Self::c2))?;
-        Ok(to.behind(
-            law.on_damping(on.each(|_, on| on.damping), on.each(|_, on| on.limit.period))?
-                .late(on.common().delay),
-        ))
+        let law = law.on_damping(on.each(|_, on| on.damping), on.each(|_, on| on.limit.period))?;
+        Ok(to.behind(if on.common().delay > 0 { law.with_bounded_fall() } else { law }))
     }
 }

@@ -9,9 +9,8 @@ pub(crate) enum Credit {
     None,
     /// `b v² T` where the position is greater than `beyond`: N·s/m, m.
     Damper { damping: f64, beyond: f64 },
-    /// `b |Δx|² / T`, N·s/m, where the sample spans a time; the period is that of the sample, or one that is taken for
-    /// constant, s.
-    Moved { damping: f64, period: Option<f64> },
+    /// `b |Δx|² / T`, N·s/m, where the sample spans a time; the period is that of the sample, and none below `least`, s.
+    Moved { damping: f64, least: f64 },
     /// Decrease of a reference's stored energy since the last tick, from the first one on.
     Reference(Reference),
 }
@@ -85,7 +84,7 @@ impl Pledge {
 
     /// Pledge of a whole account that credits what a damper dissipates of every displacement, N·s/m.
     pub(super) fn moved(damping: f64) -> Self {
-        Self { credit: Credit::Moved { damping, period: None }, ..Self::POPC }
+        Self { credit: Credit::Moved { damping, least: 0.0 }, ..Self::POPC }
     }
 
     /// POPC's pledge with the reference of a loop as credit.
@@ -101,8 +100,8 @@ impl Pledge {
             Credit::Damper { damping, beyond } => {
                 Credit::Damper { damping: round(damping), beyond: round(beyond) }
             }
-            Credit::Moved { damping, period } => {
-                Credit::Moved { damping: round(damping), period: period.map(&round) }
+            Credit::Moved { damping, least } => {
+                Credit::Moved { damping: round(damping), least: round(least) }
             }
             Credit::Reference(reference) => Credit::Reference(reference),
         };
