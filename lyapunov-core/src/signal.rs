@@ -119,3 +119,87 @@ impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
         yes.zip_map(&no, |a, b| T::choose(mask, a, b))
     }
 }
+
+/// Signal of a type with two parts that are signals of one scalar: part by part, with the sum over both unless another one stands
+/// behind it.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! signal_of_parts {
+    (
+        $(#[$inline:meta])+
+        impl[$($parameters:tt)*] $type:ty, in $scalar:ty, of $one:ident, $other:ident => $made:expr;
+    ) => {
+        $crate::signal_of_parts! {
+            $(#[$inline])+
+            impl[$($parameters)*] $type, in $scalar, of $one, $other => $made;
+            $(#[$inline])+
+            fn sum(self) -> $scalar {
+                $crate::Signal::sum(self.$one) + $crate::Signal::sum(self.$other)
+            }
+        }
+    };
+    (
+        $(#[$inline:meta])+
+        impl[$($parameters:tt)*] $type:ty, in $scalar:ty, of $one:ident, $other:ident => $made:expr;
+        $($own:item)+
+    ) => {
+        impl<$($parameters)*> core::ops::Add for $type {
+            type Output = Self;
+
+            $(#[$inline])+
+            fn add(self, next: Self) -> Self {
+                let ($one, $other) = (self.$one + next.$one, self.$other + next.$other);
+                $made
+            }
+        }
+
+        impl<$($parameters)*> core::ops::Sub for $type {
+            type Output = Self;
+
+            $(#[$inline])+
+            fn sub(self, next: Self) -> Self {
+                let ($one, $other) = (self.$one - next.$one, self.$other - next.$other);
+                $made
+            }
+        }
+
+        impl<$($parameters)*> num_traits::Zero for $type {
+            $(#[$inline])+
+            fn zero() -> Self {
+                let ($one, $other) = (num_traits::Zero::zero(), num_traits::Zero::zero());
+                $made
+            }
+
+            #[inline]
+            fn is_zero(&self) -> bool {
+                num_traits::Zero::is_zero(&self.$one) && num_traits::Zero::is_zero(&self.$other)
+            }
+        }
+
+        impl<$($parameters)*> $crate::Signal for $type {
+            type Scalar = $scalar;
+
+            $(#[$inline])+
+            fn splat(value: $scalar) -> Self {
+                let ($one, $other) = ($crate::Signal::splat(value), $crate::Signal::splat(value));
+                $made
+            }
+
+            $(#[$inline])+
+            fn zip(self, next: Self, mut f: impl FnMut($scalar, $scalar) -> $scalar) -> Self {
+                let $one = $crate::Signal::zip(self.$one, next.$one, &mut f);
+                let $other = $crate::Signal::zip(self.$other, next.$other, f);
+                $made
+            }
+
+            $(#[$inline])+
+            fn choose(mask: <$scalar as $crate::Scalar>::Mask, yes: Self, no: Self) -> Self {
+                let $one = $crate::Signal::choose(mask, yes.$one, no.$one);
+                let $other = $crate::Signal::choose(mask, yes.$other, no.$other);
+                $made
+            }
+
+            $($own)+
+        }
+    };
+}

@@ -153,7 +153,8 @@ impl<T: Scalar> Signal for Aligned<T> {
         Self(T::choose(mask, yes.0, no.0))
     }
 
-    // Not by a closure: one as long as this is called, and a function that is called is compiled for the base set.
+    // Written out, since the provided method passes a closure: the compiler does not inline one as long as this, and what is not
+    // inlined is compiled without the caller's vector instructions.
     #[inline(always)]
     fn counted(self, step: Self) -> Self {
         (self / step).rounded() * step

@@ -1,9 +1,6 @@
 //! Pose of a rigid body: where it is and how it is turned.
 
-use core::ops::{Add, Sub};
-
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector4};
-use num_traits::Zero;
 
 use super::logarithm::product;
 use crate::{Scalar, Signal};
@@ -110,66 +107,7 @@ impl<T: Scalar> From<Pose<T>> for Isometry3<T> {
     }
 }
 
-impl<T: Scalar> Add for Pose<T> {
-    type Output = Self;
-
+crate::signal_of_parts! {
     #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        let (position, quaternion) =
-            (self.position + other.position, self.quaternion + other.quaternion);
-        Self { position, quaternion }
-    }
-}
-
-impl<T: Scalar> Sub for Pose<T> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        let (position, quaternion) =
-            (self.position - other.position, self.quaternion - other.quaternion);
-        Self { position, quaternion }
-    }
-}
-
-impl<T: Scalar> Zero for Pose<T> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self { position: Vector3::zeros(), quaternion: Vector4::zeros() }
-    }
-
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.position.is_zero() && self.quaternion.is_zero()
-    }
-}
-
-impl<T: Scalar> Signal for Pose<T> {
-    type Scalar = T;
-
-    #[inline(always)]
-    fn splat(value: T) -> Self {
-        Self { position: Signal::splat(value), quaternion: Signal::splat(value) }
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, mut f: impl FnMut(T, T) -> T) -> Self {
-        Self {
-            position: self.position.zip(other.position, &mut f),
-            quaternion: self.quaternion.zip(other.quaternion, f),
-        }
-    }
-
-    #[inline(always)]
-    fn sum(self) -> T {
-        Signal::sum(self.position) + Signal::sum(self.quaternion)
-    }
-
-    #[inline(always)]
-    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            position: Signal::choose(mask, yes.position, no.position),
-            quaternion: Signal::choose(mask, yes.quaternion, no.quaternion),
-        }
-    }
+    impl[T: Scalar] Pose<T>, in T, of position, quaternion => Self { position, quaternion };
 }

@@ -1,12 +1,11 @@
 //! Twist or wrench of a rigid body.
 
 use core::marker::PhantomData;
-use core::ops::{Add, Sub};
 
 use nalgebra::Vector3;
 use num_traits::Zero;
 
-use crate::{Angle, Axes, Pose, Scalar, Signal, WorldAxes};
+use crate::{Angle, Axes, Pose, Scalar, WorldAxes};
 
 /// A twist or a wrench along given axes ([`WorldAxes`] or [`BodyAxes`](crate::BodyAxes)), at the body's reference point.
 ///
@@ -128,62 +127,7 @@ impl<T: Scalar, F: Axes> Default for Screw<T, F> {
     }
 }
 
-impl<T: Scalar, F: Axes> Add for Screw<T, F> {
-    type Output = Self;
-
+crate::signal_of_parts! {
     #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self::new(self.translation + other.translation, self.rotation + other.rotation)
-    }
-}
-
-impl<T: Scalar, F: Axes> Sub for Screw<T, F> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self::new(self.translation - other.translation, self.rotation - other.rotation)
-    }
-}
-
-impl<T: Scalar, F: Axes> Zero for Screw<T, F> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self::new(Vector3::zeros(), Vector3::zeros())
-    }
-
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.translation.is_zero() && self.rotation.is_zero()
-    }
-}
-
-impl<T: Scalar, F: Axes> Signal for Screw<T, F> {
-    type Scalar = T;
-
-    #[inline(always)]
-    fn splat(value: T) -> Self {
-        Self::new(Signal::splat(value), Signal::splat(value))
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, mut f: impl FnMut(T, T) -> T) -> Self {
-        Self::new(
-            self.translation.zip(other.translation, &mut f),
-            self.rotation.zip(other.rotation, f),
-        )
-    }
-
-    #[inline(always)]
-    fn sum(self) -> T {
-        Signal::sum(self.translation) + Signal::sum(self.rotation)
-    }
-
-    #[inline(always)]
-    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self::new(
-            Signal::choose(mask, yes.translation, no.translation),
-            Signal::choose(mask, yes.rotation, no.rotation),
-        )
-    }
+    impl[T: Scalar, F: Axes] Screw<T, F>, in T, of translation, rotation => Self::new(translation, rotation);
 }

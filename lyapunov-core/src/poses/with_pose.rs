@@ -1,10 +1,8 @@
 //! Signal at the port of a rigid body.
 
-use core::ops::{Add, Sub};
-
 use num_traits::Zero;
 
-use crate::{Axes, Pose, Scalar, Screw, Signal, WorldAxes};
+use crate::{Axes, Pose, Scalar, Screw, WorldAxes};
 
 /// A twist or a wrench and, with it, the pose, which no effort acts on.
 ///
@@ -84,61 +82,14 @@ impl<T: Scalar, F: Axes> Default for WithPose<T, F> {
     }
 }
 
-impl<T: Scalar, F: Axes> Add for WithPose<T, F> {
-    type Output = Self;
-
+crate::signal_of_parts! {
     #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Self { screw: self.screw + other.screw, pose: self.pose + other.pose }
-    }
-}
-
-impl<T: Scalar, F: Axes> Sub for WithPose<T, F> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { screw: self.screw - other.screw, pose: self.pose - other.pose }
-    }
-}
-
-impl<T: Scalar, F: Axes> Zero for WithPose<T, F> {
-    #[inline(always)]
-    fn zero() -> Self {
-        Self { screw: Screw::zero(), pose: Pose::zero() }
-    }
-
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.screw.is_zero() && self.pose.is_zero()
-    }
-}
-
-impl<T: Scalar, F: Axes> Signal for WithPose<T, F> {
-    type Scalar = T;
-
-    #[inline(always)]
-    fn splat(value: T) -> Self {
-        Self { screw: Screw::splat(value), pose: Pose::splat(value) }
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, mut f: impl FnMut(T, T) -> T) -> Self {
-        Self { screw: self.screw.zip(other.screw, &mut f), pose: self.pose.zip(other.pose, f) }
-    }
+    impl[T: Scalar, F: Axes] WithPose<T, F>, in T, of screw, pose => Self { screw, pose };
 
     /// The sum over the axes of the screw.
     #[inline(always)]
     fn sum(self) -> T {
         self.screw.sum()
-    }
-
-    #[inline(always)]
-    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            screw: Screw::choose(mask, yes.screw, no.screw),
-            pose: Pose::choose(mask, yes.pose, no.pose),
-        }
     }
 
     #[inline(always)]

@@ -1,10 +1,7 @@
 //! Signal at the port of a plant with a state.
 
-use core::ops::{Add, Sub};
-
-use lyapunov_core::{Scalar, Signal};
+use lyapunov_core::Scalar;
 use nalgebra::SVector;
-use num_traits::Zero;
 
 /// `M` inputs and, with them, the `N` states, which no effort acts on.
 ///
@@ -39,59 +36,7 @@ impl<T: Scalar, const N: usize, const M: usize> WithState<T, N, M> {
     }
 }
 
-impl<T: Scalar, const N: usize, const M: usize> Add for WithState<T, N, M> {
-    type Output = Self;
-
+lyapunov_core::signal_of_parts! {
     #[inline]
-    fn add(self, other: Self) -> Self {
-        Self { input: self.input + other.input, state: self.state + other.state }
-    }
-}
-
-impl<T: Scalar, const N: usize, const M: usize> Sub for WithState<T, N, M> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self { input: self.input - other.input, state: self.state - other.state }
-    }
-}
-
-impl<T: Scalar, const N: usize, const M: usize> Zero for WithState<T, N, M> {
-    #[inline]
-    fn zero() -> Self {
-        Self::of_input(SVector::zeros())
-    }
-
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.input.is_zero() && self.state.is_zero()
-    }
-}
-
-impl<T: Scalar, const N: usize, const M: usize> Signal for WithState<T, N, M> {
-    type Scalar = T;
-
-    #[inline]
-    fn splat(value: T) -> Self {
-        Self { input: Signal::splat(value), state: Signal::splat(value) }
-    }
-
-    #[inline]
-    fn zip(self, other: Self, mut f: impl FnMut(T, T) -> T) -> Self {
-        Self { input: self.input.zip(other.input, &mut f), state: self.state.zip(other.state, f) }
-    }
-
-    #[inline]
-    fn sum(self) -> T {
-        Signal::sum(self.input) + Signal::sum(self.state)
-    }
-
-    #[inline]
-    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            input: Signal::choose(mask, yes.input, no.input),
-            state: Signal::choose(mask, yes.state, no.state),
-        }
-    }
+    impl[T: Scalar, const N: usize, const M: usize] WithState<T, N, M>, in T, of input, state => Self { input, state };
 }

@@ -1,9 +1,6 @@
 //! Coordinates of two masses with a link between them.
 
-use core::ops::{Add, Sub};
-
-use lyapunov_core::{Scalar, Signal};
-use num_traits::Zero;
+use lyapunov_core::Signal;
 
 use crate::Coordinates;
 
@@ -19,64 +16,9 @@ pub struct TwoMassCoordinates<V> {
     pub stretch: V,
 }
 
-impl<V: Add<Output = V>> Add for TwoMassCoordinates<V> {
-    type Output = Self;
-
+lyapunov_core::signal_of_parts! {
     #[inline]
-    fn add(self, other: Self) -> Self {
-        Self { device: self.device + other.device, stretch: self.stretch + other.stretch }
-    }
-}
-
-impl<V: Sub<Output = V>> Sub for TwoMassCoordinates<V> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self { device: self.device - other.device, stretch: self.stretch - other.stretch }
-    }
-}
-
-impl<V: Zero> Zero for TwoMassCoordinates<V> {
-    #[inline]
-    fn zero() -> Self {
-        Self { device: V::zero(), stretch: V::zero() }
-    }
-
-    #[inline]
-    fn is_zero(&self) -> bool {
-        self.device.is_zero() && self.stretch.is_zero()
-    }
-}
-
-impl<V: Signal> Signal for TwoMassCoordinates<V> {
-    type Scalar = V::Scalar;
-
-    #[inline]
-    fn splat(value: V::Scalar) -> Self {
-        Self { device: V::splat(value), stretch: V::splat(value) }
-    }
-
-    #[inline]
-    fn zip(self, other: Self, mut f: impl FnMut(V::Scalar, V::Scalar) -> V::Scalar) -> Self {
-        Self {
-            device: self.device.zip(other.device, &mut f),
-            stretch: self.stretch.zip(other.stretch, f),
-        }
-    }
-
-    #[inline]
-    fn sum(self) -> V::Scalar {
-        self.device.sum() + self.stretch.sum()
-    }
-
-    #[inline]
-    fn choose(mask: <V::Scalar as Scalar>::Mask, yes: Self, no: Self) -> Self {
-        Self {
-            device: V::choose(mask, yes.device, no.device),
-            stretch: V::choose(mask, yes.stretch, no.stretch),
-        }
-    }
+    impl[V: Signal] TwoMassCoordinates<V>, in V::Scalar, of device, stretch => Self { device, stretch };
 }
 
 impl<V: Signal> Coordinates<V> for TwoMassCoordinates<V> {

@@ -32,59 +32,37 @@ const LIMITS: [u32; 2] = [100_000, 1000];
 // Dense output, the default, can leave the end of the period out by rounding; sparse output always ends with it. The
 // controllers are the defaults.
 
-fn dopri5(positions: &mut Positions, tolerance: f64) {
-    rollout(positions, |state, force| {
-        let (held, start) = (Held(force), state.into());
-        let [safety, beta, least, most] = [0.9, 0.04, 0.2, 10.0];
-        let mut solver = Dopri5::from_param(
-            held,
-            0.0,
-            PERIOD,
-            PERIOD,
-            start,
-            tolerance,
-            tolerance,
-            safety,
-            beta,
-            least,
-            most,
-            PERIOD,
-            PERIOD,
-            LIMITS[0],
-            LIMITS[1],
-            OutputType::Sparse,
-        );
-        solver.integrate().expect("a linear motion");
-        ended(solver.y_out())
-    });
+/// A rollout by an adaptive solver with its controller's safety, beta, and least and largest change of the step.
+macro_rules! adaptive {
+    ($name:ident, $solver:ident, $safety:literal, $beta:literal, $least:literal, $most:literal) => {
+        fn $name(positions: &mut Positions, tolerance: f64) {
+            rollout(positions, |state, force| {
+                let mut solver = $solver::from_param(
+                    Held(force),
+                    0.0,
+                    PERIOD,
+                    PERIOD,
+                    state.into(),
+                    tolerance,
+                    tolerance,
+                    $safety,
+                    $beta,
+                    $least,
+                    $most,
+                    PERIOD,
+                    PERIOD,
+                    LIMITS[0],
+                    LIMITS[1],
+                    OutputType::Sparse,
+                );
+                solver.integrate().expect("a linear motion");
+                ended(solver.y_out())
+            });
+        }
+    };
 }
-
-fn dop853(positions: &mut Positions, tolerance: f64) {
-    rollout(positions, |state, force| {
-        let (held, start) = (Held(force), state.into());
-        let [safety, beta, least, most] = [0.9, 0.0, 0.333, 6.0];
-        let mut solver = Dop853::from_param(
-            held,
-            0.0,
-            PERIOD,
-            PERIOD,
-            start,
-            tolerance,
-            tolerance,
-            safety,
-            beta,
-            least,
-            most,
-            PERIOD,
-            PERIOD,
-            LIMITS[0],
-            LIMITS[1],
-            OutputType::Sparse,
-        );
-        solver.integrate().expect("a linear motion");
-        ended(solver.y_out())
-    });
-}
+adaptive!(dopri5, Dopri5, 0.9, 0.04, 0.2, 10.0);
+adaptive!(dop853, Dop853, 0.9, 0.0, 0.333, 6.0);
 
 fn runge_kutta_4(positions: &mut Positions, steps: u32) {
     let step = PERIOD / f64::from(steps);

@@ -83,7 +83,8 @@ impl<V: Space, P: Plant<V>> Plant<V> for On<P> {
         sample
     }
 
-    // Not once more in `advance`, which a table of methods holds beside it and no run calls.
+    // Never inlined: `advance` calls it too and lies in every table of methods, so the plant would be compiled a second time for a
+    // method that no run calls.
     #[inline(never)]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         V::run(self.instructions, Advance { plant: &mut self.part, effort, sample });

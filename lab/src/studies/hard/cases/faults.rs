@@ -1,7 +1,7 @@
 //! Samples that are not finite.
 
 use lyapunov::{
-    DampingLimit, OnePort, ParameterError, Plant, PortSample, Scalar, Stabilizer,
+    DampingLimit, Lolc, OnePort, ParameterError, Plant, PortEnergy, PortSample, Scalar, Stabilizer,
     bodies::{Body, Impedance},
     effects::{Fallback, OnePortExt},
     environments::Wall,
@@ -15,6 +15,7 @@ use crate::studies::hard::member;
 use crate::studies::hard::tally::Tally;
 use crate::studies::hard::terms::Terms;
 use crate::studies::hard::trial::{HardError, MakeStabilizer, Play, Played, Runs, Trial};
+use crate::studies::hard::watched::Watched;
 
 pub(super) const PERIOD: f64 = 1e-3;
 pub(super) const MASS: f64 = 0.2;
@@ -124,15 +125,14 @@ impl Guarded {
     fn runs_in<T: Scalar<Mask = bool>, S: Stabilizer<T> + 'static>(
         &self,
         first: usize,
-        pledge: Pledge,
+        pledge: &Pledge,
         stabilizer: impl Fn() -> Result<S, HardError>,
     ) -> Result<Tally, HardError> {
         let most = limit::<T>()?.most().lane(0);
         let mut worst = Tally::default();
         for index in 0..self.0.runs() {
             let terms = Terms { pledge: pledge.clone(), ..Terms::of(TICKS, most) };
-            let (watched, record) =
-                crate::studies::hard::watched::Watched::new(stabilizer()?, terms);
+            let (watched, record) = Watched::new(stabilizer()?, terms);
             let port = wall::<T>()?.stabilized(watched).guarded(Fallback::Hold);
             let end = self.0.close(index, first, port)?;
             for mut tally in record.tallies() {
@@ -142,36 +142,42 @@ impl Guarded {
         }
         Ok(worst)
     }
+
+    /// The runs of each of four hands.
+    fn in_turn<T: Scalar<Mask = bool>, S: Stabilizer<T> + 'static>(
+        &self,
+        pledge: &Pledge,
+        stabilizer: impl Fn() -> Result<S, HardError>,
+    ) -> Result<Vec<Tally>, HardError> {
+        (0..4).map(|first| self.runs_in(first, pledge, &stabilizer)).collect()
+    }
 }
 
 impl Trial for Guarded {
     fn ours(&self) -> Result<Runs, HardError> {
-        let mut runs = Runs::default();
-        for first in 0..4 {
-            let popc = || Ok(lyapunov::Lolc::new(lyapunov::PortEnergy, limit::<f64>()?));
-            runs.double.push(self.runs_in::<f64, _>(first, Pledge::POPC, popc)?);
-            let popc = || Ok(lyapunov::Lolc::new(lyapunov::PortEnergy, limit::<f32>()?));
-            runs.single.push(self.runs_in::<f32, _>(first, Pledge::POPC, popc)?);
+        fn popc<T: Scalar>() -> Result<Lolc<T, PortEnergy>, HardError> {
+            Ok(Lolc::new(PortEnergy, limit()?))
         }
-        Ok(runs)
+        Ok(Runs {
+            double: self.in_turn::<f64, _>(&Pledge::POPC, popc)?,
+            single: self.in_turn::<f32, _>(&Pledge::POPC, popc)?,
+            ..Runs::default()
+        })
     }
 
     fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
-        let basis = self.0.basis();
-        let mut runs = Runs::default();
-        for first in 0..4 {
-            let pledge = member::pledge_of::<f64>(member, &basis);
-            runs.double
-                .push(self.runs_in(first, pledge, || member::set_by::<f64>(member, &basis))?);
-            let pledge = member::pledge_of::<f32>(member, &basis);
-            runs.single
-                .push(self.runs_in(first, pledge, || member::set_by::<f32>(member, &basis))?);
-        }
-        Ok(Some(runs))
+        let basis = &self.0.basis();
+        let [double, single] =
+            [member::pledge_of::<f64>(member, basis), member::pledge_of::<f32>(member, basis)];
+        Ok(Some(Runs {
+            double: self.in_turn::<f64, _>(&double, || member::set_by::<f64>(member, basis))?,
+            single: self.in_turn::<f32, _>(&single, || member::set_by::<f32>(member, basis))?,
+            ..Runs::default()
+        }))
     }
 
     fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
-        Ok(Some(self.runs_in::<f64, _>(0, Pledge::POPC, || Ok(own()))?))
+        Ok(Some(self.runs_in::<f64, _>(0, &Pledge::POPC, || Ok(own()))?))
     }
 }
 
