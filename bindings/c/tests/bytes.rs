@@ -260,18 +260,3 @@ fn bytes_gone_bad() {
         assert!(out.effort.is_finite() && !(refused && out.accepted != 0));
     }
 }
-
-/// No two blocks share a tag.
-#[test]
-#[cfg_attr(miri, ignore = "reads a long text, which takes Miri minutes, and has no pointer in it")]
-fn tags_differ() {
-    let mut tags: Vec<_> = include_str!("../abi.txt")
-        .lines()
-        .filter_map(|line| line.split_once(": tag "))
-        .map(|(_, tag)| tag)
-        .collect();
-    let all = tags.len();
-    tags.sort_unstable();
-    tags.dedup();
-    assert!(all > 200 && tags.len() == all);
-}

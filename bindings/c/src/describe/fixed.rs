@@ -10,7 +10,6 @@ use nalgebra::SVector;
 
 use super::c_type::{Named, Suffix};
 use super::{CType, Field, Header};
-use crate::abi::ABI;
 use crate::answered::WaveForm;
 use crate::port::{AxesForm, CorrectionForm, Port, SampleForm, ScrewForm};
 use crate::poses::PoseForm;
@@ -31,7 +30,6 @@ macro_rules! field {
 }
 
 pub(super) fn describe(header: &mut Header) {
-    let _ = writeln!(header.table, "abi {ABI}");
     codes(header);
     status(header);
     header.block("Signals", &["several axes, and twists or wrenches along the world's axes"]);
@@ -60,7 +58,6 @@ fn codes(header: &mut Header) {
         let comma = if at + 1 < CODES.len() { "," } else { "" };
         let value = *code as u32;
         let _ = writeln!(header.text, "    LYAPUNOV_{name} = {value}{comma} /* {about} */");
-        let _ = writeln!(header.table, "LYAPUNOV_{name} = {value}");
     }
     let _ = writeln!(header.text, "}};\n");
 }
@@ -98,7 +95,6 @@ fn status(header: &mut Header) {
             header.text,
             "LYAPUNOV_ASSERT(offsetof(lyapunov_status, {name}) == {offset}, lyapunov_status_{name});"
         );
-        let _ = writeln!(header.table, "lyapunov_status.{name}: at {offset}");
     }
     let text = [
         ("status", <*const Status>::name()),
@@ -281,5 +277,4 @@ fn candidate<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) 
         header.text,
         "/* Function of yours that a step calls, see lolc_custom and lolc_storage. */\n{declared}"
     );
-    let _ = writeln!(header.table, "{declared}");
 }
