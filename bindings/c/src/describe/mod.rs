@@ -40,6 +40,12 @@ pub struct Field<'a> {
     pub about: &'a [&'a str],
 }
 
+/// Struct that no block brings.
+pub trait Form: CType {
+    /// Its fields.
+    fn fields() -> Vec<Field<'static>>;
+}
+
 impl Header {
     /// The whole library.
     pub fn whole() -> Self {
@@ -125,6 +131,11 @@ impl Header {
                 "LYAPUNOV_ASSERT(offsetof({name}, {field}) == {offset}, {name}_{field});"
             );
         }
+    }
+
+    /// A struct that no block brings.
+    pub fn form<F: Form>(&mut self) {
+        self.fields(&F::name(), size_of::<F>(), &F::fields());
     }
 
     /// The parameters of a block.
