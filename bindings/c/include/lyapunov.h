@@ -102,6 +102,8 @@ typedef struct lyapunov_energy_summary_f32 {
     float shortfall;
     /* The largest shortfall so far, J. */
     float largest_shortfall;
+    /* 0: every byte is a field's, so that summaries can be compared by memcmp. */
+    uint32_t fill;
 } lyapunov_energy_summary_f32;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_summary_f32) == 48, lyapunov_energy_summary_f32_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, ticks) == 0, lyapunov_energy_summary_f32_ticks);
@@ -114,6 +116,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, asked) == 28, lyapunov_ene
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, absorbed) == 32, lyapunov_energy_summary_f32_absorbed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, shortfall) == 36, lyapunov_energy_summary_f32_shortfall);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, largest_shortfall) == 40, lyapunov_energy_summary_f32_largest_shortfall);
+LYAPUNOV_ASSERT(offsetof(lyapunov_energy_summary_f32, fill) == 44, lyapunov_energy_summary_f32_fill);
 typedef struct lyapunov_f32screw {
     /* The part of translation: m/s, m, N, or J. */
     float translation[3];

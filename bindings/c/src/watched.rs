@@ -60,7 +60,7 @@ impl<T: Number> Snapshot for Meter<T> {
 form! {
     /// Summary of C.
     #[derive(Clone, Copy, Debug)]
-    pub struct SummaryForm<T> {
+    pub struct SummaryForm<T: Number> {
         /// Number of ticks.
         pub ticks: u64,
         /// Number of ticks with an injected damping above 0.
@@ -81,10 +81,12 @@ form! {
         pub shortfall: T,
         /// The largest shortfall so far, J.
         pub largest_shortfall: T,
+        /// 0: every byte is a field's, so that summaries can be compared by memcmp.
+        pub fill: T::Fill,
     }
 }
 
-impl<T> SummaryForm<T> {
+impl<T: Number> SummaryForm<T> {
     /// The form of a summary.
     pub fn of(summary: EnergySummary<T>) -> Self {
         let EnergySummary { ticks, active, rejected, now, least, most, .. } = summary;
@@ -100,6 +102,7 @@ impl<T> SummaryForm<T> {
             absorbed,
             shortfall,
             largest_shortfall,
+            fill: T::Fill::default(),
         }
     }
 }

@@ -241,6 +241,18 @@ fn poses_in_a_window() {
     }
 }
 
+#[test]
+fn summaries() {
+    use blocks::energy_meter::of_f32::{Block, Parameters, life, meter};
+    // SAFETY: here and below all pointers lead to variables of this function.
+    let it =
+        fresh::<Block>(|it| unsafe { life::init_abi(it, &Parameters { reserved: 0 }, ABI) }.code);
+    let mut out = MaybeUninit::uninit();
+    // SAFETY: as above; the call writes `out`.
+    let (code, summary) = unsafe { (meter::summary(&it, out.as_mut_ptr()), out.assume_init()) };
+    assert_eq!((code, bytes(&summary).len()), (0, size_of_val(&summary)));
+}
+
 /// What stands behind a tag may be anything.
 #[test]
 fn bytes_gone_bad() {

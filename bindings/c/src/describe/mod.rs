@@ -135,7 +135,10 @@ impl Header {
 
     /// A struct that no block brings.
     pub fn form<F: Form>(&mut self) {
-        self.fields(&F::name(), size_of::<F>(), &F::fields());
+        let mut fields = F::fields();
+        // C has no empty arrays.
+        fields.retain(|field| !field.c_type.ends_with("[0]"));
+        self.fields(&F::name(), size_of::<F>(), &fields);
     }
 
     /// The parameters of a block.
