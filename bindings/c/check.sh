@@ -223,7 +223,7 @@ lints_and_tests() {
     step "formatting and lints"
     cargo fmt --all --check
     cargo clippy --quiet --features describe --all-targets -- -D warnings
-    step "the header, its classes and the table of the binary interface are those of the functions"
+    step "the header and its classes are those of the functions, and keep what compiled programs rely on"
     cargo test --quiet --features describe
 }
 (lints_and_tests) >"$out/lints.log" 2>&1 &

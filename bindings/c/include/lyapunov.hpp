@@ -213,6 +213,83 @@ template <class T> struct DampingLimit {
     }
 };
 
+namespace detail {
+
+// The functions of C that every block has, by its storage. Called, not pointed to: the address of a function in a DLL is no constant.
+template <class Storage> struct Calls;
+#define LYAPUNOV_BLOCK(name)                                                                                                     \
+    template <> struct detail::Calls<name> {                                                                                     \
+        using Parameters = name##_parameters;                                                                                    \
+        using Memory = name##_memory;                                                                                            \
+        static auto init(name *storage, const Parameters *given) { return name##_init_abi(storage, given, LYAPUNOV_ABI); }       \
+        static auto retune(name *storage, const Parameters *given) { return name##_retune(storage, given); }                     \
+        static auto save(const name *storage, Memory *memory) { return name##_save(storage, memory); }                           \
+        static auto restore(name *storage, const Memory *memory) { return name##_restore(storage, memory); }                     \
+    };
+
+// What every block has, beside verbs of its own.
+template <class Storage> class Block {
+public:
+    using Parameters = typename Calls<Storage>::Parameters;
+    using Memory = typename Calls<Storage>::Memory;
+    /* Makes the block of parameters that fit together. */
+    Status init(const Parameters &parameters) noexcept
+    {
+        static_assert(sizeof(Block) == sizeof(Storage) && std::is_standard_layout<Block>::value &&
+                          std::is_trivially_copyable<Block>::value,
+                      "a block is its storage");
+        return Status(Calls<Storage>::init(&storage, &parameters));
+    }
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads,
+       changes nothing. A refused change changes nothing. */
+    Status retune(const Parameters &parameters) noexcept { return Status(Calls<Storage>::retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    Memory save() const noexcept
+    {
+        auto memory = unanswered<Memory>();
+        Calls<Storage>::save(&storage, &memory);
+        return memory;
+    }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const Memory &memory) noexcept { return Status(Calls<Storage>::restore(&storage, &memory)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Block &a, const Block &b) noexcept
+    {
+        return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0;
+    }
+    friend bool operator!=(const Block &a, const Block &b) noexcept { return !(a == b); }
+    Storage storage{};
+};
+
+// The functions of C of an account, by the storage of its block.
+template <class Storage> struct AccountCalls;
+#define LYAPUNOV_ACCOUNT(name)                                                                                                   \
+    LYAPUNOV_BLOCK(name)                                                                                                         \
+    template <> struct detail::AccountCalls<name> {                                                                              \
+        using Number = decltype(name##_observed_energy(nullptr));                                                                \
+        static auto observed_energy(const name *storage) { return name##_observed_energy(storage); }                             \
+        static auto reset(name *storage) { return name##_reset(storage); }                                                       \
+        static auto grant(name *storage, Number energy) { return name##_grant(storage, energy); }                                \
+        static auto owe(name *storage, Number debt) { return name##_owe(storage, debt); }                                        \
+    };
+
+// What a block with an account has, beside verbs of its own.
+template <class Storage> class Account : public Block<Storage> {
+    using Number = typename AccountCalls<Storage>::Number;
+
+public:
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    Number observed_energy() const noexcept { return AccountCalls<Storage>::observed_energy(&this->storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(AccountCalls<Storage>::reset(&this->storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(Number energy) noexcept { return Status(AccountCalls<Storage>::grant(&this->storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(Number debt) noexcept { return Status(AccountCalls<Storage>::owe(&this->storage, debt)); }
+};
+
+} // namespace detail
+
 #ifdef EIGEN_WORLD_VERSION
 // The axes as a vector of Eigen that reads the same memory; Eigen is included before this header.
 template <class Form> auto eigen(const Form &axes) noexcept
@@ -226,8130 +303,2533 @@ template <class Form> auto eigen(const Form &axes) noexcept
 /* Readings at a fixed period (Readings::every), with velocities by differences: the memory of a port. The first reading displaces nothing, one that is NaN or jumps is rejected, the next spans the gap. */
 template <class Signal> class Readings;
 
-template <> class Readings<float> {
+LYAPUNOV_BLOCK(lyapunov_readings_f32)
+template <> class Readings<float> : public detail::Block<lyapunov_readings_f32> {
 public:
-    using Parameters = lyapunov_readings_f32_parameters;
-    using Memory = lyapunov_readings_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32_memory>(); lyapunov_readings_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f32_memory &memory) noexcept { return Status(lyapunov_readings_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f32 storage{};
 };
 
-template <> class Readings<double> {
+LYAPUNOV_BLOCK(lyapunov_readings_f64)
+template <> class Readings<double> : public detail::Block<lyapunov_readings_f64> {
 public:
-    using Parameters = lyapunov_readings_f64_parameters;
-    using Memory = lyapunov_readings_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64_memory>(); lyapunov_readings_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f64_memory &memory) noexcept { return Status(lyapunov_readings_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f64 storage{};
 };
 
-template <> class Readings<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_f32x3)
+template <> class Readings<Axes<float, 3>> : public detail::Block<lyapunov_readings_f32x3> {
 public:
-    using Parameters = lyapunov_readings_f32x3_parameters;
-    using Memory = lyapunov_readings_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x3_memory>(); lyapunov_readings_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f32x3 storage{};
 };
 
-template <> class Readings<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_f64x3)
+template <> class Readings<Axes<double, 3>> : public detail::Block<lyapunov_readings_f64x3> {
 public:
-    using Parameters = lyapunov_readings_f64x3_parameters;
-    using Memory = lyapunov_readings_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x3_memory>(); lyapunov_readings_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f64x3 storage{};
 };
 
-template <> class Readings<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_f32x6)
+template <> class Readings<Axes<float, 6>> : public detail::Block<lyapunov_readings_f32x6> {
 public:
-    using Parameters = lyapunov_readings_f32x6_parameters;
-    using Memory = lyapunov_readings_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32x6_memory>(); lyapunov_readings_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f32x6 storage{};
 };
 
-template <> class Readings<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_f64x6)
+template <> class Readings<Axes<double, 6>> : public detail::Block<lyapunov_readings_f64x6> {
 public:
-    using Parameters = lyapunov_readings_f64x6_parameters;
-    using Memory = lyapunov_readings_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64x6_memory>(); lyapunov_readings_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f64x6 storage{};
 };
 
-template <> class Readings<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_f32screw)
+template <> class Readings<Screw<float>> : public detail::Block<lyapunov_readings_f32screw> {
 public:
-    using Parameters = lyapunov_readings_f32screw_parameters;
-    using Memory = lyapunov_readings_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f32screw_memory>(); lyapunov_readings_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32screw read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_f32screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f32screw storage{};
 };
 
-template <> class Readings<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_f64screw)
+template <> class Readings<Screw<double>> : public detail::Block<lyapunov_readings_f64screw> {
 public:
-    using Parameters = lyapunov_readings_f64screw_parameters;
-    using Memory = lyapunov_readings_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_f64screw_memory>(); lyapunov_readings_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64screw read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_f64screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Readings &a, const Readings &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Readings &a, const Readings &b) noexcept { return !(a == b); }
-    lyapunov_readings_f64screw storage{};
 };
 
 /* Readings at a fixed period, with velocities that the device measures (Readings::measured). */
 template <class Signal> class ReadingsMeasured;
 
-template <> class ReadingsMeasured<float> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f32)
+template <> class ReadingsMeasured<float> : public detail::Block<lyapunov_readings_measured_f32> {
 public:
-    using Parameters = lyapunov_readings_measured_f32_parameters;
-    using Memory = lyapunov_readings_measured_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32_memory>(); lyapunov_readings_measured_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read_moving(float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_f32_read_moving(&storage, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32 missed_moving(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_f32_missed_moving(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f32 storage{};
 };
 
-template <> class ReadingsMeasured<double> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f64)
+template <> class ReadingsMeasured<double> : public detail::Block<lyapunov_readings_measured_f64> {
 public:
-    using Parameters = lyapunov_readings_measured_f64_parameters;
-    using Memory = lyapunov_readings_measured_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64_memory>(); lyapunov_readings_measured_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read_moving(double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_f64_read_moving(&storage, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64 missed_moving(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_f64_missed_moving(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f64 storage{};
 };
 
-template <> class ReadingsMeasured<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f32x3)
+template <> class ReadingsMeasured<Axes<float, 3>> : public detail::Block<lyapunov_readings_measured_f32x3> {
 public:
-    using Parameters = lyapunov_readings_measured_f32x3_parameters;
-    using Memory = lyapunov_readings_measured_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x3_memory>(); lyapunov_readings_measured_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read_moving(View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_f32x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x3 missed_moving(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_f32x3_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f32x3 storage{};
 };
 
-template <> class ReadingsMeasured<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f64x3)
+template <> class ReadingsMeasured<Axes<double, 3>> : public detail::Block<lyapunov_readings_measured_f64x3> {
 public:
-    using Parameters = lyapunov_readings_measured_f64x3_parameters;
-    using Memory = lyapunov_readings_measured_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x3_memory>(); lyapunov_readings_measured_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read_moving(View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_f64x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x3 missed_moving(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_f64x3_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f64x3 storage{};
 };
 
-template <> class ReadingsMeasured<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f32x6)
+template <> class ReadingsMeasured<Axes<float, 6>> : public detail::Block<lyapunov_readings_measured_f32x6> {
 public:
-    using Parameters = lyapunov_readings_measured_f32x6_parameters;
-    using Memory = lyapunov_readings_measured_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32x6_memory>(); lyapunov_readings_measured_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_f32x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x6 missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_f32x6_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f32x6 storage{};
 };
 
-template <> class ReadingsMeasured<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f64x6)
+template <> class ReadingsMeasured<Axes<double, 6>> : public detail::Block<lyapunov_readings_measured_f64x6> {
 public:
-    using Parameters = lyapunov_readings_measured_f64x6_parameters;
-    using Memory = lyapunov_readings_measured_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64x6_memory>(); lyapunov_readings_measured_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_f64x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x6 missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_f64x6_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f64x6 storage{};
 };
 
-template <> class ReadingsMeasured<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f32screw)
+template <> class ReadingsMeasured<Screw<float>> : public detail::Block<lyapunov_readings_measured_f32screw> {
 public:
-    using Parameters = lyapunov_readings_measured_f32screw_parameters;
-    using Memory = lyapunov_readings_measured_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f32screw_memory>(); lyapunov_readings_measured_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32screw read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_measured_f32screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f32screw storage{};
 };
 
-template <> class ReadingsMeasured<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_f64screw)
+template <> class ReadingsMeasured<Screw<double>> : public detail::Block<lyapunov_readings_measured_f64screw> {
 public:
-    using Parameters = lyapunov_readings_measured_f64screw_parameters;
-    using Memory = lyapunov_readings_measured_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_f64screw_memory>(); lyapunov_readings_measured_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_measured_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64screw read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_measured_f64screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasured &a, const ReadingsMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_f64screw storage{};
 };
 
 /* Readings at a fixed period, with velocities through a low pass (Readings::low_passed). */
 template <class Signal> class ReadingsLowPassed;
 
-template <> class ReadingsLowPassed<float> {
+LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f32)
+template <> class ReadingsLowPassed<float> : public detail::Block<lyapunov_readings_low_passed_f32> {
 public:
-    using Parameters = lyapunov_readings_low_passed_f32_parameters;
-    using Memory = lyapunov_readings_low_passed_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_low_passed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32_memory>(); lyapunov_readings_low_passed_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_low_passed_f32_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_low_passed_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_low_passed_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_low_passed_f32 storage{};
 };
 
-template <> class ReadingsLowPassed<double> {
+LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f64)
+template <> class ReadingsLowPassed<double> : public detail::Block<lyapunov_readings_low_passed_f64> {
 public:
-    using Parameters = lyapunov_readings_low_passed_f64_parameters;
-    using Memory = lyapunov_readings_low_passed_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_low_passed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64_memory>(); lyapunov_readings_low_passed_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_low_passed_f64_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_low_passed_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_low_passed_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_low_passed_f64 storage{};
 };
 
-template <> class ReadingsLowPassed<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f32x3)
+template <> class ReadingsLowPassed<Axes<float, 3>> : public detail::Block<lyapunov_readings_low_passed_f32x3> {
 public:
-    using Parameters = lyapunov_readings_low_passed_f32x3_parameters;
-    using Memory = lyapunov_readings_low_passed_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_low_passed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x3_memory>(); lyapunov_readings_low_passed_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_low_passed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_low_passed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_low_passed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_low_passed_f32x3 storage{};
 };
 
-template <> class ReadingsLowPassed<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f64x3)
+template <> class ReadingsLowPassed<Axes<double, 3>> : public detail::Block<lyapunov_readings_low_passed_f64x3> {
 public:
-    using Parameters = lyapunov_readings_low_passed_f64x3_parameters;
-    using Memory = lyapunov_readings_low_passed_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_low_passed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x3_memory>(); lyapunov_readings_low_passed_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_low_passed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_low_passed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_low_passed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_low_passed_f64x3 storage{};
 };
 
-template <> class ReadingsLowPassed<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f32x6)
+template <> class ReadingsLowPassed<Axes<float, 6>> : public detail::Block<lyapunov_readings_low_passed_f32x6> {
 public:
-    using Parameters = lyapunov_readings_low_passed_f32x6_parameters;
-    using Memory = lyapunov_readings_low_passed_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_low_passed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f32x6_memory>(); lyapunov_readings_low_passed_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_low_passed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_low_passed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_low_passed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f32x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_low_passed_f32x6 storage{};
 };
 
-template <> class ReadingsLowPassed<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f64x6)
+template <> class ReadingsLowPassed<Axes<double, 6>> : public detail::Block<lyapunov_readings_low_passed_f64x6> {
 public:
-    using Parameters = lyapunov_readings_low_passed_f64x6_parameters;
-    using Memory = lyapunov_readings_low_passed_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_low_passed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_low_passed_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_low_passed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_low_passed_f64x6_memory>(); lyapunov_readings_low_passed_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_low_passed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_low_passed_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_low_passed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_low_passed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_low_passed_f64x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsLowPassed &a, const ReadingsLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_low_passed_f64x6 storage{};
 };
 
 /* Readings at a fixed period, with velocities over up to 16 readings (Readings::windowed). */
 template <class Signal> class ReadingsWindowed;
 
-template <> class ReadingsWindowed<float> {
+LYAPUNOV_BLOCK(lyapunov_readings_windowed_f32)
+template <> class ReadingsWindowed<float> : public detail::Block<lyapunov_readings_windowed_f32> {
 public:
-    using Parameters = lyapunov_readings_windowed_f32_parameters;
-    using Memory = lyapunov_readings_windowed_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_windowed_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32_memory>(); lyapunov_readings_windowed_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_windowed_f32_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_windowed_f32_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32 missed(float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_windowed_f32_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_windowed_f32 storage{};
 };
 
-template <> class ReadingsWindowed<double> {
+LYAPUNOV_BLOCK(lyapunov_readings_windowed_f64)
+template <> class ReadingsWindowed<double> : public detail::Block<lyapunov_readings_windowed_f64> {
 public:
-    using Parameters = lyapunov_readings_windowed_f64_parameters;
-    using Memory = lyapunov_readings_windowed_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_windowed_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64_memory>(); lyapunov_readings_windowed_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_windowed_f64_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_windowed_f64_read(&storage, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64 missed(double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_windowed_f64_missed(&storage, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_windowed_f64 storage{};
 };
 
-template <> class ReadingsWindowed<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_windowed_f32x3)
+template <> class ReadingsWindowed<Axes<float, 3>> : public detail::Block<lyapunov_readings_windowed_f32x3> {
 public:
-    using Parameters = lyapunov_readings_windowed_f32x3_parameters;
-    using Memory = lyapunov_readings_windowed_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_windowed_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x3_memory>(); lyapunov_readings_windowed_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_windowed_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_windowed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x3 missed(View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_windowed_f32x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_windowed_f32x3 storage{};
 };
 
-template <> class ReadingsWindowed<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_windowed_f64x3)
+template <> class ReadingsWindowed<Axes<double, 3>> : public detail::Block<lyapunov_readings_windowed_f64x3> {
 public:
-    using Parameters = lyapunov_readings_windowed_f64x3_parameters;
-    using Memory = lyapunov_readings_windowed_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_windowed_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x3_memory>(); lyapunov_readings_windowed_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_windowed_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x3_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_windowed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x3 missed(View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_windowed_f64x3_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_windowed_f64x3 storage{};
 };
 
-template <> class ReadingsWindowed<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_windowed_f32x6)
+template <> class ReadingsWindowed<Axes<float, 6>> : public detail::Block<lyapunov_readings_windowed_f32x6> {
 public:
-    using Parameters = lyapunov_readings_windowed_f32x6_parameters;
-    using Memory = lyapunov_readings_windowed_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_windowed_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f32x6_memory>(); lyapunov_readings_windowed_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_windowed_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f32x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_windowed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32x6 missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_windowed_f32x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f32x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_windowed_f32x6 storage{};
 };
 
-template <> class ReadingsWindowed<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_windowed_f64x6)
+template <> class ReadingsWindowed<Axes<double, 6>> : public detail::Block<lyapunov_readings_windowed_f64x6> {
 public:
-    using Parameters = lyapunov_readings_windowed_f64x6_parameters;
-    using Memory = lyapunov_readings_windowed_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_windowed_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_windowed_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_windowed_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_windowed_f64x6_memory>(); lyapunov_readings_windowed_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_windowed_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_windowed_f64x6_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_windowed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64x6 missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_windowed_f64x6_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_windowed_f64x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsWindowed &a, const ReadingsWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_windowed_f64x6 storage{};
 };
 
 /* Readings at the times of a clock (Readings::clocked), with velocities by differences. */
 template <class Signal> class ReadingsClocked;
 
-template <> class ReadingsClocked<float> {
+LYAPUNOV_BLOCK(lyapunov_readings_clocked_f32)
+template <> class ReadingsClocked<float> : public detail::Block<lyapunov_readings_clocked_f32> {
 public:
-    using Parameters = lyapunov_readings_clocked_f32_parameters;
-    using Memory = lyapunov_readings_clocked_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32_memory>(); lyapunov_readings_clocked_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32 read_at(double now, float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_clocked_f32_read_at(&storage, now, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32 missed_at(double now, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_clocked_f32_missed_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_clocked_f32 storage{};
 };
 
-template <> class ReadingsClocked<double> {
+LYAPUNOV_BLOCK(lyapunov_readings_clocked_f64)
+template <> class ReadingsClocked<double> : public detail::Block<lyapunov_readings_clocked_f64> {
 public:
-    using Parameters = lyapunov_readings_clocked_f64_parameters;
-    using Memory = lyapunov_readings_clocked_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64_memory>(); lyapunov_readings_clocked_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64 read_at(double now, double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_clocked_f64_read_at(&storage, now, position, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64 missed_at(double now, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_clocked_f64_missed_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_clocked_f64 storage{};
 };
 
-template <> class ReadingsClocked<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_clocked_f32x3)
+template <> class ReadingsClocked<Axes<float, 3>> : public detail::Block<lyapunov_readings_clocked_f32x3> {
 public:
-    using Parameters = lyapunov_readings_clocked_f32x3_parameters;
-    using Memory = lyapunov_readings_clocked_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x3_memory>(); lyapunov_readings_clocked_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x3 read_at(double now, View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_clocked_f32x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32x3 missed_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_clocked_f32x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_clocked_f32x3 storage{};
 };
 
-template <> class ReadingsClocked<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_clocked_f64x3)
+template <> class ReadingsClocked<Axes<double, 3>> : public detail::Block<lyapunov_readings_clocked_f64x3> {
 public:
-    using Parameters = lyapunov_readings_clocked_f64x3_parameters;
-    using Memory = lyapunov_readings_clocked_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x3_memory>(); lyapunov_readings_clocked_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x3 read_at(double now, View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_clocked_f64x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64x3 missed_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_clocked_f64x3_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_clocked_f64x3 storage{};
 };
 
-template <> class ReadingsClocked<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_clocked_f32x6)
+template <> class ReadingsClocked<Axes<float, 6>> : public detail::Block<lyapunov_readings_clocked_f32x6> {
 public:
-    using Parameters = lyapunov_readings_clocked_f32x6_parameters;
-    using Memory = lyapunov_readings_clocked_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f32x6_memory>(); lyapunov_readings_clocked_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f32x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x6 read_at(double now, View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_clocked_f32x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32x6 missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_clocked_f32x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f32x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_clocked_f32x6 storage{};
 };
 
-template <> class ReadingsClocked<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_clocked_f64x6)
+template <> class ReadingsClocked<Axes<double, 6>> : public detail::Block<lyapunov_readings_clocked_f64x6> {
 public:
-    using Parameters = lyapunov_readings_clocked_f64x6_parameters;
-    using Memory = lyapunov_readings_clocked_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_clocked_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_clocked_f64x6_memory>(); lyapunov_readings_clocked_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_clocked_f64x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x6 read_at(double now, View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_clocked_f64x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64x6 missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_clocked_f64x6_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_clocked_f64x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsClocked &a, const ReadingsClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_clocked_f64x6 storage{};
 };
 
 /* Readings at the times of a clock, with velocities that the device measures. */
 template <class Signal> class ReadingsMeasuredClocked;
 
-template <> class ReadingsMeasuredClocked<float> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f32)
+template <> class ReadingsMeasuredClocked<float> : public detail::Block<lyapunov_readings_measured_clocked_f32> {
 public:
-    using Parameters = lyapunov_readings_measured_clocked_f32_parameters;
-    using Memory = lyapunov_readings_measured_clocked_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_clocked_f32_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32_memory>(); lyapunov_readings_measured_clocked_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_clocked_f32_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32 read_moving_at(double now, float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_clocked_f32_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32 missed_moving_at(double now, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_clocked_f32_missed_moving_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_clocked_f32 storage{};
 };
 
-template <> class ReadingsMeasuredClocked<double> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f64)
+template <> class ReadingsMeasuredClocked<double> : public detail::Block<lyapunov_readings_measured_clocked_f64> {
 public:
-    using Parameters = lyapunov_readings_measured_clocked_f64_parameters;
-    using Memory = lyapunov_readings_measured_clocked_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_clocked_f64_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64_memory>(); lyapunov_readings_measured_clocked_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_clocked_f64_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64 read_moving_at(double now, double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_clocked_f64_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64 missed_moving_at(double now, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_clocked_f64_missed_moving_at(&storage, now, applied, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_clocked_f64 storage{};
 };
 
-template <> class ReadingsMeasuredClocked<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f32x3)
+template <> class ReadingsMeasuredClocked<Axes<float, 3>> : public detail::Block<lyapunov_readings_measured_clocked_f32x3> {
 public:
-    using Parameters = lyapunov_readings_measured_clocked_f32x3_parameters;
-    using Memory = lyapunov_readings_measured_clocked_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_clocked_f32x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x3_memory>(); lyapunov_readings_measured_clocked_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_clocked_f32x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x3 read_moving_at(double now, View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_clocked_f32x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32x3 missed_moving_at(double now, View<float, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_clocked_f32x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_clocked_f32x3 storage{};
 };
 
-template <> class ReadingsMeasuredClocked<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f64x3)
+template <> class ReadingsMeasuredClocked<Axes<double, 3>> : public detail::Block<lyapunov_readings_measured_clocked_f64x3> {
 public:
-    using Parameters = lyapunov_readings_measured_clocked_f64x3_parameters;
-    using Memory = lyapunov_readings_measured_clocked_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_clocked_f64x3_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x3_memory>(); lyapunov_readings_measured_clocked_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_clocked_f64x3_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x3_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x3 read_moving_at(double now, View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_clocked_f64x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64x3 missed_moving_at(double now, View<double, 3> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_clocked_f64x3_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x3_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_clocked_f64x3 storage{};
 };
 
-template <> class ReadingsMeasuredClocked<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f32x6)
+template <> class ReadingsMeasuredClocked<Axes<float, 6>> : public detail::Block<lyapunov_readings_measured_clocked_f32x6> {
 public:
-    using Parameters = lyapunov_readings_measured_clocked_f32x6_parameters;
-    using Memory = lyapunov_readings_measured_clocked_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_clocked_f32x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f32x6_memory>(); lyapunov_readings_measured_clocked_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_clocked_f32x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f32x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x6 read_moving_at(double now, View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_clocked_f32x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32x6 missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_clocked_f32x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f32x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_clocked_f32x6 storage{};
 };
 
-template <> class ReadingsMeasuredClocked<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f64x6)
+template <> class ReadingsMeasuredClocked<Axes<double, 6>> : public detail::Block<lyapunov_readings_measured_clocked_f64x6> {
 public:
-    using Parameters = lyapunov_readings_measured_clocked_f64x6_parameters;
-    using Memory = lyapunov_readings_measured_clocked_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_measured_clocked_f64x6_parameters &parameters) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_measured_clocked_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_measured_clocked_f64x6_memory>(); lyapunov_readings_measured_clocked_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_measured_clocked_f64x6_memory &memory) noexcept { return Status(lyapunov_readings_measured_clocked_f64x6_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x6 read_moving_at(double now, View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_clocked_f64x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64x6 missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_clocked_f64x6_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_measured_clocked_f64x6_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsMeasuredClocked &a, const ReadingsMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_measured_clocked_f64x6 storage{};
 };
 
 /* Readings of poses at a fixed period (Readings::of_poses), with twists by differences. The position of a sample is the sum of the displacements from one accepted pose to the next. A pose that is not finite, or whose quaternion is 0, is rejected. */
 template <class Signal> class ReadingsOfPoses;
 
-template <> class ReadingsOfPoses<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_f32screw)
+template <> class ReadingsOfPoses<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_f32screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_f32screw_parameters;
-    using Memory = lyapunov_readings_of_poses_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f32screw_memory>(); lyapunov_readings_of_poses_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_f32screw storage{};
 };
 
-template <> class ReadingsOfPoses<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_f64screw)
+template <> class ReadingsOfPoses<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_f64screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_f64screw_parameters;
-    using Memory = lyapunov_readings_of_poses_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_f64screw_memory>(); lyapunov_readings_of_poses_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPoses &a, const ReadingsOfPoses &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_f64screw storage{};
 };
 
 /* Readings of poses at a fixed period, with twists that the device measures. */
 template <class Signal> class ReadingsOfPosesMeasured;
 
-template <> class ReadingsOfPosesMeasured<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_f32screw)
+template <> class ReadingsOfPosesMeasured<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_measured_f32screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_measured_f32screw_parameters;
-    using Memory = lyapunov_readings_of_poses_measured_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_measured_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f32screw_memory>(); lyapunov_readings_of_poses_measured_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_measured_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read_moving(const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_f32screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32screw missed_moving(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_f32screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_measured_f32screw storage{};
 };
 
-template <> class ReadingsOfPosesMeasured<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_f64screw)
+template <> class ReadingsOfPosesMeasured<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_measured_f64screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_measured_f64screw_parameters;
-    using Memory = lyapunov_readings_of_poses_measured_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_measured_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_f64screw_memory>(); lyapunov_readings_of_poses_measured_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_measured_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read_moving(const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_f64screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64screw missed_moving(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_f64screw_missed_moving(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesMeasured &a, const ReadingsOfPosesMeasured &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_measured_f64screw storage{};
 };
 
 /* Readings of poses at a fixed period, with twists through a low pass. */
 template <class Signal> class ReadingsOfPosesLowPassed;
 
-template <> class ReadingsOfPosesLowPassed<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_low_passed_f32screw)
+template <> class ReadingsOfPosesLowPassed<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_low_passed_f32screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_low_passed_f32screw_parameters;
-    using Memory = lyapunov_readings_of_poses_low_passed_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_low_passed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_low_passed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f32screw_memory>(); lyapunov_readings_of_poses_low_passed_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_low_passed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_low_passed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_low_passed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_low_passed_f32screw storage{};
 };
 
-template <> class ReadingsOfPosesLowPassed<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_low_passed_f64screw)
+template <> class ReadingsOfPosesLowPassed<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_low_passed_f64screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_low_passed_f64screw_parameters;
-    using Memory = lyapunov_readings_of_poses_low_passed_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_low_passed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_low_passed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_low_passed_f64screw_memory>(); lyapunov_readings_of_poses_low_passed_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_low_passed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_low_passed_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_low_passed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_low_passed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_low_passed_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesLowPassed &a, const ReadingsOfPosesLowPassed &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_low_passed_f64screw storage{};
 };
 
 /* Readings of poses at a fixed period, with twists over up to 16 readings. */
 template <class Signal> class ReadingsOfPosesWindowed;
 
-template <> class ReadingsOfPosesWindowed<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_windowed_f32screw)
+template <> class ReadingsOfPosesWindowed<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_windowed_f32screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_windowed_f32screw_parameters;
-    using Memory = lyapunov_readings_of_poses_windowed_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_windowed_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_windowed_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f32screw_memory>(); lyapunov_readings_of_poses_windowed_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_windowed_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f32screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_windowed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f32screw missed(View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_windowed_f32screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_windowed_f32screw storage{};
 };
 
-template <> class ReadingsOfPosesWindowed<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_windowed_f64screw)
+template <> class ReadingsOfPosesWindowed<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_windowed_f64screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_windowed_f64screw_parameters;
-    using Memory = lyapunov_readings_of_poses_windowed_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_windowed_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_windowed_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_windowed_f64screw_memory>(); lyapunov_readings_of_poses_windowed_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_windowed_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_windowed_f64screw_restore(&storage, &memory)); }
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_windowed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading. */
     lyapunov_checked_sample_f64screw missed(View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_windowed_f64screw_missed(&storage, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_windowed_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesWindowed &a, const ReadingsOfPosesWindowed &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_windowed_f64screw storage{};
 };
 
 /* Readings of poses at the times of a clock, with twists by differences. */
 template <class Signal> class ReadingsOfPosesClocked;
 
-template <> class ReadingsOfPosesClocked<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_clocked_f32screw)
+template <> class ReadingsOfPosesClocked<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_clocked_f32screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_clocked_f32screw_parameters;
-    using Memory = lyapunov_readings_of_poses_clocked_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f32screw_memory>(); lyapunov_readings_of_poses_clocked_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f32screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32screw read_at(double now, const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_clocked_f32screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32screw missed_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_clocked_f32screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_clocked_f32screw storage{};
 };
 
-template <> class ReadingsOfPosesClocked<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_clocked_f64screw)
+template <> class ReadingsOfPosesClocked<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_clocked_f64screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_clocked_f64screw_parameters;
-    using Memory = lyapunov_readings_of_poses_clocked_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_clocked_f64screw_memory>(); lyapunov_readings_of_poses_clocked_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_clocked_f64screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64screw read_at(double now, const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_clocked_f64screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64screw missed_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_clocked_f64screw_missed_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_clocked_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesClocked &a, const ReadingsOfPosesClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_clocked_f64screw storage{};
 };
 
 /* Readings of poses at the times of a clock, with twists that the device measures. */
 template <class Signal> class ReadingsOfPosesMeasuredClocked;
 
-template <> class ReadingsOfPosesMeasuredClocked<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_clocked_f32screw)
+template <> class ReadingsOfPosesMeasuredClocked<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_measured_clocked_f32screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_measured_clocked_f32screw_parameters;
-    using Memory = lyapunov_readings_of_poses_measured_clocked_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_measured_clocked_f32screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_clocked_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f32screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_measured_clocked_f32screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f32screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32screw read_moving_at(double now, const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f32screw missed_moving_at(double now, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_clocked_f32screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f32screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_measured_clocked_f32screw storage{};
 };
 
-template <> class ReadingsOfPosesMeasuredClocked<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_clocked_f64screw)
+template <> class ReadingsOfPosesMeasuredClocked<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_measured_clocked_f64screw> {
 public:
-    using Parameters = lyapunov_readings_of_poses_measured_clocked_f64screw_parameters;
-    using Memory = lyapunov_readings_of_poses_measured_clocked_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_readings_of_poses_measured_clocked_f64screw_parameters &parameters) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_readings_of_poses_measured_clocked_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_readings_of_poses_measured_clocked_f64screw_memory>(); lyapunov_readings_of_poses_measured_clocked_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_readings_of_poses_measured_clocked_f64screw_memory &memory) noexcept { return Status(lyapunov_readings_of_poses_measured_clocked_f64screw_restore(&storage, &memory)); }
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64screw read_moving_at(double now, const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
     /* The sample of a tick without a reading at the time `now`, s. */
     lyapunov_checked_sample_f64screw missed_moving_at(double now, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_clocked_f64screw_missed_moving_at(&storage, now, &applied_form, &checked); return checked; }
     /* Forgets the position: the next reading displaces nothing, as the first. For a device that was moved without being read. */
     Code restart() noexcept { return static_cast<Code>(lyapunov_readings_of_poses_measured_clocked_f64screw_restart(&storage)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ReadingsOfPosesMeasuredClocked &a, const ReadingsOfPosesMeasuredClocked &b) noexcept { return !(a == b); }
-    lyapunov_readings_of_poses_measured_clocked_f64screw storage{};
 };
 
 /* Passivity observer/controller (Popc): sums the energy that crosses the port, and takes a debt back by a damper. In float the sum loses digits as credit grows, hundreds of joules in hours at 0.2 mJ a tick: for more than some minutes take lolc_compensated with a device_damping of 0, which is POPC in a sum that keeps them, or bounded_credit. */
 template <class Signal> class Popc;
 
-template <> class Popc<float> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f32)
+template <> class Popc<float> : public detail::Account<lyapunov_popc_f32> {
 public:
-    using Parameters = lyapunov_popc_f32_parameters;
-    using Memory = lyapunov_popc_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f32_parameters &parameters) noexcept { return Status(lyapunov_popc_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32_memory>(); lyapunov_popc_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f32_memory &memory) noexcept { return Status(lyapunov_popc_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_popc_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_popc_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f32 storage{};
 };
 
-template <> class Popc<double> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f64)
+template <> class Popc<double> : public detail::Account<lyapunov_popc_f64> {
 public:
-    using Parameters = lyapunov_popc_f64_parameters;
-    using Memory = lyapunov_popc_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f64_parameters &parameters) noexcept { return Status(lyapunov_popc_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64_memory>(); lyapunov_popc_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f64_memory &memory) noexcept { return Status(lyapunov_popc_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_popc_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_popc_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f64 storage{};
 };
 
-template <> class Popc<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f32x3)
+template <> class Popc<Axes<float, 3>> : public detail::Account<lyapunov_popc_f32x3> {
 public:
-    using Parameters = lyapunov_popc_f32x3_parameters;
-    using Memory = lyapunov_popc_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x3_memory>(); lyapunov_popc_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f32x3_memory &memory) noexcept { return Status(lyapunov_popc_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_popc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_popc_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f32x3 storage{};
 };
 
-template <> class Popc<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f64x3)
+template <> class Popc<Axes<double, 3>> : public detail::Account<lyapunov_popc_f64x3> {
 public:
-    using Parameters = lyapunov_popc_f64x3_parameters;
-    using Memory = lyapunov_popc_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x3_memory>(); lyapunov_popc_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f64x3_memory &memory) noexcept { return Status(lyapunov_popc_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_popc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_popc_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f64x3 storage{};
 };
 
-template <> class Popc<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f32x6)
+template <> class Popc<Axes<float, 6>> : public detail::Account<lyapunov_popc_f32x6> {
 public:
-    using Parameters = lyapunov_popc_f32x6_parameters;
-    using Memory = lyapunov_popc_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32x6_memory>(); lyapunov_popc_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f32x6_memory &memory) noexcept { return Status(lyapunov_popc_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_popc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_popc_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f32x6 storage{};
 };
 
-template <> class Popc<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f64x6)
+template <> class Popc<Axes<double, 6>> : public detail::Account<lyapunov_popc_f64x6> {
 public:
-    using Parameters = lyapunov_popc_f64x6_parameters;
-    using Memory = lyapunov_popc_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_popc_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64x6_memory>(); lyapunov_popc_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f64x6_memory &memory) noexcept { return Status(lyapunov_popc_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_popc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_popc_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f64x6 storage{};
 };
 
-template <> class Popc<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f32screw)
+template <> class Popc<Screw<float>> : public detail::Account<lyapunov_popc_f32screw> {
 public:
-    using Parameters = lyapunov_popc_f32screw_parameters;
-    using Memory = lyapunov_popc_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f32screw_memory>(); lyapunov_popc_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f32screw_memory &memory) noexcept { return Status(lyapunov_popc_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_popc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_popc_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_popc_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_popc_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f32screw storage{};
 };
 
-template <> class Popc<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_popc_f64screw)
+template <> class Popc<Screw<double>> : public detail::Account<lyapunov_popc_f64screw> {
 public:
-    using Parameters = lyapunov_popc_f64screw_parameters;
-    using Memory = lyapunov_popc_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_popc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_popc_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_popc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_popc_f64screw_memory>(); lyapunov_popc_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_popc_f64screw_memory &memory) noexcept { return Status(lyapunov_popc_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_popc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_popc_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_popc_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_popc_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_popc_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Popc &a, const Popc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Popc &a, const Popc &b) noexcept { return !(a == b); }
-    lyapunov_popc_f64screw storage{};
 };
 
 /* Lyapunov observer/controller (Lolc) that credits what the device's own damper burns. */
 template <class Signal> class Lolc;
 
-template <> class Lolc<float> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f32)
+template <> class Lolc<float> : public detail::Account<lyapunov_lolc_f32> {
 public:
-    using Parameters = lyapunov_lolc_f32_parameters;
-    using Memory = lyapunov_lolc_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32_memory>(); lyapunov_lolc_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f32_memory &memory) noexcept { return Status(lyapunov_lolc_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f32 storage{};
 };
 
-template <> class Lolc<double> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f64)
+template <> class Lolc<double> : public detail::Account<lyapunov_lolc_f64> {
 public:
-    using Parameters = lyapunov_lolc_f64_parameters;
-    using Memory = lyapunov_lolc_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64_memory>(); lyapunov_lolc_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f64_memory &memory) noexcept { return Status(lyapunov_lolc_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f64 storage{};
 };
 
-template <> class Lolc<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f32x3)
+template <> class Lolc<Axes<float, 3>> : public detail::Account<lyapunov_lolc_f32x3> {
 public:
-    using Parameters = lyapunov_lolc_f32x3_parameters;
-    using Memory = lyapunov_lolc_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x3_memory>(); lyapunov_lolc_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f32x3 storage{};
 };
 
-template <> class Lolc<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f64x3)
+template <> class Lolc<Axes<double, 3>> : public detail::Account<lyapunov_lolc_f64x3> {
 public:
-    using Parameters = lyapunov_lolc_f64x3_parameters;
-    using Memory = lyapunov_lolc_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x3_memory>(); lyapunov_lolc_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f64x3 storage{};
 };
 
-template <> class Lolc<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f32x6)
+template <> class Lolc<Axes<float, 6>> : public detail::Account<lyapunov_lolc_f32x6> {
 public:
-    using Parameters = lyapunov_lolc_f32x6_parameters;
-    using Memory = lyapunov_lolc_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32x6_memory>(); lyapunov_lolc_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f32x6 storage{};
 };
 
-template <> class Lolc<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f64x6)
+template <> class Lolc<Axes<double, 6>> : public detail::Account<lyapunov_lolc_f64x6> {
 public:
-    using Parameters = lyapunov_lolc_f64x6_parameters;
-    using Memory = lyapunov_lolc_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64x6_memory>(); lyapunov_lolc_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f64x6 storage{};
 };
 
-template <> class Lolc<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f32screw)
+template <> class Lolc<Screw<float>> : public detail::Account<lyapunov_lolc_f32screw> {
 public:
-    using Parameters = lyapunov_lolc_f32screw_parameters;
-    using Memory = lyapunov_lolc_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f32screw_memory>(); lyapunov_lolc_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f32screw storage{};
 };
 
-template <> class Lolc<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_f64screw)
+template <> class Lolc<Screw<double>> : public detail::Account<lyapunov_lolc_f64screw> {
 public:
-    using Parameters = lyapunov_lolc_f64screw_parameters;
-    using Memory = lyapunov_lolc_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_f64screw_memory>(); lyapunov_lolc_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Lolc &a, const Lolc &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Lolc &a, const Lolc &b) noexcept { return !(a == b); }
-    lyapunov_lolc_f64screw storage{};
 };
 
 /* LOLC whose candidate is a function of yours (Lolc with a LyapunovCandidate): it is handed to every step and gives the decrease over the sample, J, which is sample->work and what your candidate credits. Storage keeps neither function nor context. */
 template <class Signal> class LolcCustom;
 
-template <> class LolcCustom<float> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32)
+template <> class LolcCustom<float> : public detail::Account<lyapunov_lolc_custom_f32> {
 public:
-    using Parameters = lyapunov_lolc_custom_f32_parameters;
-    using Memory = lyapunov_lolc_custom_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32_memory>(); lyapunov_lolc_custom_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f32_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_custom_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f32 storage{};
 };
 
-template <> class LolcCustom<double> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64)
+template <> class LolcCustom<double> : public detail::Account<lyapunov_lolc_custom_f64> {
 public:
-    using Parameters = lyapunov_lolc_custom_f64_parameters;
-    using Memory = lyapunov_lolc_custom_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64_memory>(); lyapunov_lolc_custom_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f64_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_custom_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f64 storage{};
 };
 
-template <> class LolcCustom<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32x3)
+template <> class LolcCustom<Axes<float, 3>> : public detail::Account<lyapunov_lolc_custom_f32x3> {
 public:
-    using Parameters = lyapunov_lolc_custom_f32x3_parameters;
-    using Memory = lyapunov_lolc_custom_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x3_memory>(); lyapunov_lolc_custom_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x3_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_custom_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x3>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f32x3 storage{};
 };
 
-template <> class LolcCustom<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64x3)
+template <> class LolcCustom<Axes<double, 3>> : public detail::Account<lyapunov_lolc_custom_f64x3> {
 public:
-    using Parameters = lyapunov_lolc_custom_f64x3_parameters;
-    using Memory = lyapunov_lolc_custom_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x3_memory>(); lyapunov_lolc_custom_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x3_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_custom_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x3>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f64x3 storage{};
 };
 
-template <> class LolcCustom<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32x6)
+template <> class LolcCustom<Axes<float, 6>> : public detail::Account<lyapunov_lolc_custom_f32x6> {
 public:
-    using Parameters = lyapunov_lolc_custom_f32x6_parameters;
-    using Memory = lyapunov_lolc_custom_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32x6_memory>(); lyapunov_lolc_custom_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32x6_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_custom_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x6>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f32x6 storage{};
 };
 
-template <> class LolcCustom<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64x6)
+template <> class LolcCustom<Axes<double, 6>> : public detail::Account<lyapunov_lolc_custom_f64x6> {
 public:
-    using Parameters = lyapunov_lolc_custom_f64x6_parameters;
-    using Memory = lyapunov_lolc_custom_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64x6_memory>(); lyapunov_lolc_custom_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64x6_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_custom_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x6>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f64x6 storage{};
 };
 
-template <> class LolcCustom<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32screw)
+template <> class LolcCustom<Screw<float>> : public detail::Account<lyapunov_lolc_custom_f32screw> {
 public:
-    using Parameters = lyapunov_lolc_custom_f32screw_parameters;
-    using Memory = lyapunov_lolc_custom_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f32screw_memory>(); lyapunov_lolc_custom_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f32screw_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_custom_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32screw>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_custom_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_custom_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_custom_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f32screw storage{};
 };
 
-template <> class LolcCustom<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64screw)
+template <> class LolcCustom<Screw<double>> : public detail::Account<lyapunov_lolc_custom_f64screw> {
 public:
-    using Parameters = lyapunov_lolc_custom_f64screw_parameters;
-    using Memory = lyapunov_lolc_custom_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_custom_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_custom_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_custom_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_custom_f64screw_memory>(); lyapunov_lolc_custom_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_custom_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_custom_f64screw_restore(&storage, &memory)); }
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_custom_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64screw>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_custom_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_custom_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_custom_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_custom_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCustom &a, const LolcCustom &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCustom &a, const LolcCustom &b) noexcept { return !(a == b); }
-    lyapunov_lolc_custom_f64screw storage{};
 };
 
 /* LOLC whose candidate is a storage function of yours (Lolc with a StorageFunction): it is handed to every step and gives the energy V at the sample's position and velocity, J. */
 template <class Signal> class LolcStorage;
 
-template <> class LolcStorage<float> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32)
+template <> class LolcStorage<float> : public detail::Account<lyapunov_lolc_storage_f32> {
 public:
-    using Parameters = lyapunov_lolc_storage_f32_parameters;
-    using Memory = lyapunov_lolc_storage_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32_memory>(); lyapunov_lolc_storage_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f32_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_storage_f32_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f32 storage{};
 };
 
-template <> class LolcStorage<double> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64)
+template <> class LolcStorage<double> : public detail::Account<lyapunov_lolc_storage_f64> {
 public:
-    using Parameters = lyapunov_lolc_storage_f64_parameters;
-    using Memory = lyapunov_lolc_storage_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64_memory>(); lyapunov_lolc_storage_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f64_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort, Function &&function) noexcept { detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_storage_f64_step(&storage, &sample, effort, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f64 storage{};
 };
 
-template <> class LolcStorage<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32x3)
+template <> class LolcStorage<Axes<float, 3>> : public detail::Account<lyapunov_lolc_storage_f32x3> {
 public:
-    using Parameters = lyapunov_lolc_storage_f32x3_parameters;
-    using Memory = lyapunov_lolc_storage_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x3_memory>(); lyapunov_lolc_storage_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x3_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_storage_f32x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x3>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f32x3 storage{};
 };
 
-template <> class LolcStorage<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64x3)
+template <> class LolcStorage<Axes<double, 3>> : public detail::Account<lyapunov_lolc_storage_f64x3> {
 public:
-    using Parameters = lyapunov_lolc_storage_f64x3_parameters;
-    using Memory = lyapunov_lolc_storage_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x3_memory>(); lyapunov_lolc_storage_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x3_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_storage_f64x3_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x3>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f64x3 storage{};
 };
 
-template <> class LolcStorage<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32x6)
+template <> class LolcStorage<Axes<float, 6>> : public detail::Account<lyapunov_lolc_storage_f32x6> {
 public:
-    using Parameters = lyapunov_lolc_storage_f32x6_parameters;
-    using Memory = lyapunov_lolc_storage_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32x6_memory>(); lyapunov_lolc_storage_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32x6_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_storage_f32x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32x6>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f32x6 storage{};
 };
 
-template <> class LolcStorage<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64x6)
+template <> class LolcStorage<Axes<double, 6>> : public detail::Account<lyapunov_lolc_storage_f64x6> {
 public:
-    using Parameters = lyapunov_lolc_storage_f64x6_parameters;
-    using Memory = lyapunov_lolc_storage_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64x6_memory>(); lyapunov_lolc_storage_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64x6_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_storage_f64x6_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64x6>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f64x6 storage{};
 };
 
-template <> class LolcStorage<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32screw)
+template <> class LolcStorage<Screw<float>> : public detail::Account<lyapunov_lolc_storage_f32screw> {
 public:
-    using Parameters = lyapunov_lolc_storage_f32screw_parameters;
-    using Memory = lyapunov_lolc_storage_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f32screw_memory>(); lyapunov_lolc_storage_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f32screw_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_storage_f32screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, float, lyapunov_sample_f32screw>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_storage_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_storage_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_storage_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f32screw storage{};
 };
 
-template <> class LolcStorage<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64screw)
+template <> class LolcStorage<Screw<double>> : public detail::Account<lyapunov_lolc_storage_f64screw> {
 public:
-    using Parameters = lyapunov_lolc_storage_f64screw_parameters;
-    using Memory = lyapunov_lolc_storage_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_storage_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_storage_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_storage_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_storage_f64screw_memory>(); lyapunov_lolc_storage_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_storage_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_storage_f64screw_restore(&storage, &memory)); }
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort, Function &&function) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); detail::Candidate<Function> candidate = function; auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_storage_f64screw_step(&storage, &sample, &effort_form, &detail::call<std::remove_reference_t<decltype(candidate)>, double, lyapunov_sample_f64screw>, detail::address(candidate), &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_storage_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_storage_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_storage_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_storage_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcStorage &a, const LolcStorage &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcStorage &a, const LolcStorage &b) noexcept { return !(a == b); }
-    lyapunov_lolc_storage_f64screw storage{};
 };
 
 /* LOLC with the credit of a wall's own damper while in contact (Dissipation::gated InContact): the paper's example 2. It can credit more than really burns; start with lolc. */
 template <class Signal> class LolcInContact;
 
-template <> class LolcInContact<float> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_in_contact_f32)
+template <> class LolcInContact<float> : public detail::Account<lyapunov_lolc_in_contact_f32> {
 public:
-    using Parameters = lyapunov_lolc_in_contact_f32_parameters;
-    using Memory = lyapunov_lolc_in_contact_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_in_contact_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_in_contact_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f32_memory>(); lyapunov_lolc_in_contact_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_in_contact_f32_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_in_contact_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_in_contact_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_in_contact_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_in_contact_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_in_contact_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcInContact &a, const LolcInContact &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcInContact &a, const LolcInContact &b) noexcept { return !(a == b); }
-    lyapunov_lolc_in_contact_f32 storage{};
 };
 
-template <> class LolcInContact<double> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_in_contact_f64)
+template <> class LolcInContact<double> : public detail::Account<lyapunov_lolc_in_contact_f64> {
 public:
-    using Parameters = lyapunov_lolc_in_contact_f64_parameters;
-    using Memory = lyapunov_lolc_in_contact_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_in_contact_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_in_contact_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_in_contact_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_in_contact_f64_memory>(); lyapunov_lolc_in_contact_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_in_contact_f64_memory &memory) noexcept { return Status(lyapunov_lolc_in_contact_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_in_contact_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_in_contact_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_in_contact_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_in_contact_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_in_contact_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcInContact &a, const LolcInContact &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcInContact &a, const LolcInContact &b) noexcept { return !(a == b); }
-    lyapunov_lolc_in_contact_f64 storage{};
 };
 
 /* LOLC over the paper's sampled work (Lolc::sampled), the power at the sampling instant. It misses what leaks between samples, and reads no `work`: look at the `accepted` of a reading. */
 template <class Signal> class LolcSampled;
 
-template <> class LolcSampled<float> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32)
+template <> class LolcSampled<float> : public detail::Account<lyapunov_lolc_sampled_f32> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f32_parameters;
-    using Memory = lyapunov_lolc_sampled_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32_memory>(); lyapunov_lolc_sampled_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f32_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_sampled_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f32 storage{};
 };
 
-template <> class LolcSampled<double> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64)
+template <> class LolcSampled<double> : public detail::Account<lyapunov_lolc_sampled_f64> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f64_parameters;
-    using Memory = lyapunov_lolc_sampled_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64_memory>(); lyapunov_lolc_sampled_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f64_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_sampled_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f64 storage{};
 };
 
-template <> class LolcSampled<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32x3)
+template <> class LolcSampled<Axes<float, 3>> : public detail::Account<lyapunov_lolc_sampled_f32x3> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f32x3_parameters;
-    using Memory = lyapunov_lolc_sampled_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x3_memory>(); lyapunov_lolc_sampled_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_sampled_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f32x3 storage{};
 };
 
-template <> class LolcSampled<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64x3)
+template <> class LolcSampled<Axes<double, 3>> : public detail::Account<lyapunov_lolc_sampled_f64x3> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f64x3_parameters;
-    using Memory = lyapunov_lolc_sampled_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x3_memory>(); lyapunov_lolc_sampled_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_sampled_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f64x3 storage{};
 };
 
-template <> class LolcSampled<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32x6)
+template <> class LolcSampled<Axes<float, 6>> : public detail::Account<lyapunov_lolc_sampled_f32x6> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f32x6_parameters;
-    using Memory = lyapunov_lolc_sampled_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32x6_memory>(); lyapunov_lolc_sampled_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_sampled_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f32x6 storage{};
 };
 
-template <> class LolcSampled<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64x6)
+template <> class LolcSampled<Axes<double, 6>> : public detail::Account<lyapunov_lolc_sampled_f64x6> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f64x6_parameters;
-    using Memory = lyapunov_lolc_sampled_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64x6_memory>(); lyapunov_lolc_sampled_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_sampled_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f64x6 storage{};
 };
 
-template <> class LolcSampled<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32screw)
+template <> class LolcSampled<Screw<float>> : public detail::Account<lyapunov_lolc_sampled_f32screw> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f32screw_parameters;
-    using Memory = lyapunov_lolc_sampled_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f32screw_memory>(); lyapunov_lolc_sampled_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_sampled_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_sampled_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_sampled_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_sampled_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f32screw storage{};
 };
 
-template <> class LolcSampled<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64screw)
+template <> class LolcSampled<Screw<double>> : public detail::Account<lyapunov_lolc_sampled_f64screw> {
 public:
-    using Parameters = lyapunov_lolc_sampled_f64screw_parameters;
-    using Memory = lyapunov_lolc_sampled_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_sampled_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_sampled_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_sampled_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_sampled_f64screw_memory>(); lyapunov_lolc_sampled_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_sampled_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_sampled_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_sampled_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_sampled_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_sampled_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_sampled_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_sampled_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcSampled &a, const LolcSampled &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcSampled &a, const LolcSampled &b) noexcept { return !(a == b); }
-    lyapunov_lolc_sampled_f64screw storage{};
 };
 
 /* LOLC with a compensated sum (Lolc::summed_in Compensated): in float too it keeps its digits for a year. */
 template <class Signal> class LolcCompensated;
 
-template <> class LolcCompensated<float> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32)
+template <> class LolcCompensated<float> : public detail::Account<lyapunov_lolc_compensated_f32> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f32_parameters;
-    using Memory = lyapunov_lolc_compensated_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32_memory>(); lyapunov_lolc_compensated_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f32_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f32 storage{};
 };
 
-template <> class LolcCompensated<double> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64)
+template <> class LolcCompensated<double> : public detail::Account<lyapunov_lolc_compensated_f64> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f64_parameters;
-    using Memory = lyapunov_lolc_compensated_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64_memory>(); lyapunov_lolc_compensated_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f64_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f64 storage{};
 };
 
-template <> class LolcCompensated<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32x3)
+template <> class LolcCompensated<Axes<float, 3>> : public detail::Account<lyapunov_lolc_compensated_f32x3> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f32x3_parameters;
-    using Memory = lyapunov_lolc_compensated_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x3_memory>(); lyapunov_lolc_compensated_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f32x3 storage{};
 };
 
-template <> class LolcCompensated<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64x3)
+template <> class LolcCompensated<Axes<double, 3>> : public detail::Account<lyapunov_lolc_compensated_f64x3> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f64x3_parameters;
-    using Memory = lyapunov_lolc_compensated_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x3_memory>(); lyapunov_lolc_compensated_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f64x3 storage{};
 };
 
-template <> class LolcCompensated<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32x6)
+template <> class LolcCompensated<Axes<float, 6>> : public detail::Account<lyapunov_lolc_compensated_f32x6> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f32x6_parameters;
-    using Memory = lyapunov_lolc_compensated_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32x6_memory>(); lyapunov_lolc_compensated_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f32x6 storage{};
 };
 
-template <> class LolcCompensated<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64x6)
+template <> class LolcCompensated<Axes<double, 6>> : public detail::Account<lyapunov_lolc_compensated_f64x6> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f64x6_parameters;
-    using Memory = lyapunov_lolc_compensated_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64x6_memory>(); lyapunov_lolc_compensated_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f64x6 storage{};
 };
 
-template <> class LolcCompensated<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32screw)
+template <> class LolcCompensated<Screw<float>> : public detail::Account<lyapunov_lolc_compensated_f32screw> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f32screw_parameters;
-    using Memory = lyapunov_lolc_compensated_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f32screw_memory>(); lyapunov_lolc_compensated_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_lolc_compensated_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_lolc_compensated_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_lolc_compensated_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f32screw storage{};
 };
 
-template <> class LolcCompensated<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64screw)
+template <> class LolcCompensated<Screw<double>> : public detail::Account<lyapunov_lolc_compensated_f64screw> {
 public:
-    using Parameters = lyapunov_lolc_compensated_f64screw_parameters;
-    using Memory = lyapunov_lolc_compensated_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_lolc_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_lolc_compensated_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_lolc_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_lolc_compensated_f64screw_memory>(); lyapunov_lolc_compensated_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_lolc_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_lolc_compensated_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_lolc_compensated_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_lolc_compensated_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_lolc_compensated_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_lolc_compensated_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LolcCompensated &a, const LolcCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LolcCompensated &a, const LolcCompensated &b) noexcept { return !(a == b); }
-    lyapunov_lolc_compensated_f64screw storage{};
 };
 
 /* LOLC that carries a bounded credit from tick to tick (BoundedCredit). */
 template <class Signal> class BoundedCredit;
 
-template <> class BoundedCredit<float> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32)
+template <> class BoundedCredit<float> : public detail::Account<lyapunov_bounded_credit_f32> {
 public:
-    using Parameters = lyapunov_bounded_credit_f32_parameters;
-    using Memory = lyapunov_bounded_credit_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32_memory>(); lyapunov_bounded_credit_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f32_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_bounded_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f32 storage{};
 };
 
-template <> class BoundedCredit<double> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64)
+template <> class BoundedCredit<double> : public detail::Account<lyapunov_bounded_credit_f64> {
 public:
-    using Parameters = lyapunov_bounded_credit_f64_parameters;
-    using Memory = lyapunov_bounded_credit_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64_memory>(); lyapunov_bounded_credit_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f64_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_bounded_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f64 storage{};
 };
 
-template <> class BoundedCredit<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32x3)
+template <> class BoundedCredit<Axes<float, 3>> : public detail::Account<lyapunov_bounded_credit_f32x3> {
 public:
-    using Parameters = lyapunov_bounded_credit_f32x3_parameters;
-    using Memory = lyapunov_bounded_credit_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x3_memory>(); lyapunov_bounded_credit_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_bounded_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f32x3 storage{};
 };
 
-template <> class BoundedCredit<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64x3)
+template <> class BoundedCredit<Axes<double, 3>> : public detail::Account<lyapunov_bounded_credit_f64x3> {
 public:
-    using Parameters = lyapunov_bounded_credit_f64x3_parameters;
-    using Memory = lyapunov_bounded_credit_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x3_memory>(); lyapunov_bounded_credit_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_bounded_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f64x3 storage{};
 };
 
-template <> class BoundedCredit<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32x6)
+template <> class BoundedCredit<Axes<float, 6>> : public detail::Account<lyapunov_bounded_credit_f32x6> {
 public:
-    using Parameters = lyapunov_bounded_credit_f32x6_parameters;
-    using Memory = lyapunov_bounded_credit_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32x6_memory>(); lyapunov_bounded_credit_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_bounded_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f32x6 storage{};
 };
 
-template <> class BoundedCredit<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64x6)
+template <> class BoundedCredit<Axes<double, 6>> : public detail::Account<lyapunov_bounded_credit_f64x6> {
 public:
-    using Parameters = lyapunov_bounded_credit_f64x6_parameters;
-    using Memory = lyapunov_bounded_credit_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64x6_memory>(); lyapunov_bounded_credit_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_bounded_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f64x6 storage{};
 };
 
-template <> class BoundedCredit<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32screw)
+template <> class BoundedCredit<Screw<float>> : public detail::Account<lyapunov_bounded_credit_f32screw> {
 public:
-    using Parameters = lyapunov_bounded_credit_f32screw_parameters;
-    using Memory = lyapunov_bounded_credit_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f32screw_memory>(); lyapunov_bounded_credit_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_bounded_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_bounded_credit_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_bounded_credit_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_bounded_credit_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f32screw storage{};
 };
 
-template <> class BoundedCredit<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64screw)
+template <> class BoundedCredit<Screw<double>> : public detail::Account<lyapunov_bounded_credit_f64screw> {
 public:
-    using Parameters = lyapunov_bounded_credit_f64screw_parameters;
-    using Memory = lyapunov_bounded_credit_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_bounded_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_bounded_credit_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_bounded_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_bounded_credit_f64screw_memory>(); lyapunov_bounded_credit_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_bounded_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_bounded_credit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_bounded_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_bounded_credit_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_bounded_credit_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_bounded_credit_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_bounded_credit_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const BoundedCredit &a, const BoundedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const BoundedCredit &a, const BoundedCredit &b) noexcept { return !(a == b); }
-    lyapunov_bounded_credit_f64screw storage{};
 };
 
 /* LOLC whose credit expires after a window of ticks, kept in 8 slots (WindowedCredit): it expires between 7 and 8 times `ticks` later. */
 template <class Signal> class WindowedCredit;
 
-template <> class WindowedCredit<float> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32)
+template <> class WindowedCredit<float> : public detail::Account<lyapunov_windowed_credit_f32> {
 public:
-    using Parameters = lyapunov_windowed_credit_f32_parameters;
-    using Memory = lyapunov_windowed_credit_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f32_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32_memory>(); lyapunov_windowed_credit_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f32_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_windowed_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f32 storage{};
 };
 
-template <> class WindowedCredit<double> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64)
+template <> class WindowedCredit<double> : public detail::Account<lyapunov_windowed_credit_f64> {
 public:
-    using Parameters = lyapunov_windowed_credit_f64_parameters;
-    using Memory = lyapunov_windowed_credit_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f64_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64_memory>(); lyapunov_windowed_credit_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f64_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_windowed_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f64 storage{};
 };
 
-template <> class WindowedCredit<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32x3)
+template <> class WindowedCredit<Axes<float, 3>> : public detail::Account<lyapunov_windowed_credit_f32x3> {
 public:
-    using Parameters = lyapunov_windowed_credit_f32x3_parameters;
-    using Memory = lyapunov_windowed_credit_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x3_memory>(); lyapunov_windowed_credit_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f32x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_windowed_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f32x3 storage{};
 };
 
-template <> class WindowedCredit<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64x3)
+template <> class WindowedCredit<Axes<double, 3>> : public detail::Account<lyapunov_windowed_credit_f64x3> {
 public:
-    using Parameters = lyapunov_windowed_credit_f64x3_parameters;
-    using Memory = lyapunov_windowed_credit_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x3_memory>(); lyapunov_windowed_credit_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f64x3_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_windowed_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f64x3 storage{};
 };
 
-template <> class WindowedCredit<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32x6)
+template <> class WindowedCredit<Axes<float, 6>> : public detail::Account<lyapunov_windowed_credit_f32x6> {
 public:
-    using Parameters = lyapunov_windowed_credit_f32x6_parameters;
-    using Memory = lyapunov_windowed_credit_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32x6_memory>(); lyapunov_windowed_credit_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f32x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_windowed_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f32x6 storage{};
 };
 
-template <> class WindowedCredit<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64x6)
+template <> class WindowedCredit<Axes<double, 6>> : public detail::Account<lyapunov_windowed_credit_f64x6> {
 public:
-    using Parameters = lyapunov_windowed_credit_f64x6_parameters;
-    using Memory = lyapunov_windowed_credit_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64x6_memory>(); lyapunov_windowed_credit_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f64x6_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_windowed_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f64x6 storage{};
 };
 
-template <> class WindowedCredit<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32screw)
+template <> class WindowedCredit<Screw<float>> : public detail::Account<lyapunov_windowed_credit_f32screw> {
 public:
-    using Parameters = lyapunov_windowed_credit_f32screw_parameters;
-    using Memory = lyapunov_windowed_credit_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f32screw_memory>(); lyapunov_windowed_credit_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f32screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_windowed_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_windowed_credit_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_windowed_credit_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_windowed_credit_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f32screw storage{};
 };
 
-template <> class WindowedCredit<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64screw)
+template <> class WindowedCredit<Screw<double>> : public detail::Account<lyapunov_windowed_credit_f64screw> {
 public:
-    using Parameters = lyapunov_windowed_credit_f64screw_parameters;
-    using Memory = lyapunov_windowed_credit_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_windowed_credit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_windowed_credit_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_windowed_credit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_windowed_credit_f64screw_memory>(); lyapunov_windowed_credit_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_windowed_credit_f64screw_memory &memory) noexcept { return Status(lyapunov_windowed_credit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_windowed_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_windowed_credit_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_windowed_credit_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_windowed_credit_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_windowed_credit_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WindowedCredit &a, const WindowedCredit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WindowedCredit &a, const WindowedCredit &b) noexcept { return !(a == b); }
-    lyapunov_windowed_credit_f64screw storage{};
 };
 
 /* LOLC that forfeits its credit whenever it comes into contact with a wall (ContactReset). */
 template <class Signal> class ContactReset;
 
-template <> class ContactReset<float> {
+LYAPUNOV_ACCOUNT(lyapunov_contact_reset_f32)
+template <> class ContactReset<float> : public detail::Account<lyapunov_contact_reset_f32> {
 public:
-    using Parameters = lyapunov_contact_reset_f32_parameters;
-    using Memory = lyapunov_contact_reset_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_contact_reset_f32_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_contact_reset_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f32_memory>(); lyapunov_contact_reset_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_contact_reset_f32_memory &memory) noexcept { return Status(lyapunov_contact_reset_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_contact_reset_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_contact_reset_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_contact_reset_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_contact_reset_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_contact_reset_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ContactReset &a, const ContactReset &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ContactReset &a, const ContactReset &b) noexcept { return !(a == b); }
-    lyapunov_contact_reset_f32 storage{};
 };
 
-template <> class ContactReset<double> {
+LYAPUNOV_ACCOUNT(lyapunov_contact_reset_f64)
+template <> class ContactReset<double> : public detail::Account<lyapunov_contact_reset_f64> {
 public:
-    using Parameters = lyapunov_contact_reset_f64_parameters;
-    using Memory = lyapunov_contact_reset_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_contact_reset_f64_parameters &parameters) noexcept { return Status(lyapunov_contact_reset_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_contact_reset_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_contact_reset_f64_memory>(); lyapunov_contact_reset_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_contact_reset_f64_memory &memory) noexcept { return Status(lyapunov_contact_reset_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_contact_reset_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_contact_reset_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_contact_reset_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_contact_reset_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_contact_reset_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ContactReset &a, const ContactReset &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ContactReset &a, const ContactReset &b) noexcept { return !(a == b); }
-    lyapunov_contact_reset_f64 storage{};
 };
 
 /* LOLC that corrects only from a velocity on (VelocityThreshold). */
 template <class Signal> class VelocityThreshold;
 
-template <> class VelocityThreshold<float> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32)
+template <> class VelocityThreshold<float> : public detail::Account<lyapunov_velocity_threshold_f32> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f32_parameters;
-    using Memory = lyapunov_velocity_threshold_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f32_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32_memory>(); lyapunov_velocity_threshold_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f32_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_velocity_threshold_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f32 storage{};
 };
 
-template <> class VelocityThreshold<double> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64)
+template <> class VelocityThreshold<double> : public detail::Account<lyapunov_velocity_threshold_f64> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f64_parameters;
-    using Memory = lyapunov_velocity_threshold_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f64_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64_memory>(); lyapunov_velocity_threshold_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f64_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_velocity_threshold_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f64 storage{};
 };
 
-template <> class VelocityThreshold<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32x3)
+template <> class VelocityThreshold<Axes<float, 3>> : public detail::Account<lyapunov_velocity_threshold_f32x3> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f32x3_parameters;
-    using Memory = lyapunov_velocity_threshold_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f32x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x3_memory>(); lyapunov_velocity_threshold_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f32x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_velocity_threshold_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f32x3 storage{};
 };
 
-template <> class VelocityThreshold<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64x3)
+template <> class VelocityThreshold<Axes<double, 3>> : public detail::Account<lyapunov_velocity_threshold_f64x3> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f64x3_parameters;
-    using Memory = lyapunov_velocity_threshold_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f64x3_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x3_memory>(); lyapunov_velocity_threshold_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f64x3_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_velocity_threshold_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f64x3 storage{};
 };
 
-template <> class VelocityThreshold<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32x6)
+template <> class VelocityThreshold<Axes<float, 6>> : public detail::Account<lyapunov_velocity_threshold_f32x6> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f32x6_parameters;
-    using Memory = lyapunov_velocity_threshold_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f32x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32x6_memory>(); lyapunov_velocity_threshold_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f32x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_velocity_threshold_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f32x6 storage{};
 };
 
-template <> class VelocityThreshold<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64x6)
+template <> class VelocityThreshold<Axes<double, 6>> : public detail::Account<lyapunov_velocity_threshold_f64x6> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f64x6_parameters;
-    using Memory = lyapunov_velocity_threshold_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f64x6_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64x6_memory>(); lyapunov_velocity_threshold_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f64x6_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_velocity_threshold_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f64x6 storage{};
 };
 
-template <> class VelocityThreshold<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32screw)
+template <> class VelocityThreshold<Screw<float>> : public detail::Account<lyapunov_velocity_threshold_f32screw> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f32screw_parameters;
-    using Memory = lyapunov_velocity_threshold_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f32screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f32screw_memory>(); lyapunov_velocity_threshold_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f32screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_velocity_threshold_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_velocity_threshold_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_velocity_threshold_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_velocity_threshold_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f32screw storage{};
 };
 
-template <> class VelocityThreshold<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64screw)
+template <> class VelocityThreshold<Screw<double>> : public detail::Account<lyapunov_velocity_threshold_f64screw> {
 public:
-    using Parameters = lyapunov_velocity_threshold_f64screw_parameters;
-    using Memory = lyapunov_velocity_threshold_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_velocity_threshold_f64screw_parameters &parameters) noexcept { return Status(lyapunov_velocity_threshold_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_velocity_threshold_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_velocity_threshold_f64screw_memory>(); lyapunov_velocity_threshold_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_velocity_threshold_f64screw_memory &memory) noexcept { return Status(lyapunov_velocity_threshold_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_velocity_threshold_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_velocity_threshold_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_velocity_threshold_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_velocity_threshold_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_velocity_threshold_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const VelocityThreshold &a, const VelocityThreshold &b) noexcept { return !(a == b); }
-    lyapunov_velocity_threshold_f64screw storage{};
 };
 
 /* LOLC that pays a debt in parts (Spread). */
 template <class Signal> class Spread;
 
-template <> class Spread<float> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f32)
+template <> class Spread<float> : public detail::Account<lyapunov_spread_f32> {
 public:
-    using Parameters = lyapunov_spread_f32_parameters;
-    using Memory = lyapunov_spread_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f32_parameters &parameters) noexcept { return Status(lyapunov_spread_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32_memory>(); lyapunov_spread_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f32_memory &memory) noexcept { return Status(lyapunov_spread_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_spread_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_spread_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f32 storage{};
 };
 
-template <> class Spread<double> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f64)
+template <> class Spread<double> : public detail::Account<lyapunov_spread_f64> {
 public:
-    using Parameters = lyapunov_spread_f64_parameters;
-    using Memory = lyapunov_spread_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f64_parameters &parameters) noexcept { return Status(lyapunov_spread_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64_memory>(); lyapunov_spread_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f64_memory &memory) noexcept { return Status(lyapunov_spread_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_spread_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_spread_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f64 storage{};
 };
 
-template <> class Spread<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f32x3)
+template <> class Spread<Axes<float, 3>> : public detail::Account<lyapunov_spread_f32x3> {
 public:
-    using Parameters = lyapunov_spread_f32x3_parameters;
-    using Memory = lyapunov_spread_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f32x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x3_memory>(); lyapunov_spread_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f32x3_memory &memory) noexcept { return Status(lyapunov_spread_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_spread_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_spread_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f32x3 storage{};
 };
 
-template <> class Spread<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f64x3)
+template <> class Spread<Axes<double, 3>> : public detail::Account<lyapunov_spread_f64x3> {
 public:
-    using Parameters = lyapunov_spread_f64x3_parameters;
-    using Memory = lyapunov_spread_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f64x3_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x3_memory>(); lyapunov_spread_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f64x3_memory &memory) noexcept { return Status(lyapunov_spread_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_spread_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_spread_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f64x3 storage{};
 };
 
-template <> class Spread<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f32x6)
+template <> class Spread<Axes<float, 6>> : public detail::Account<lyapunov_spread_f32x6> {
 public:
-    using Parameters = lyapunov_spread_f32x6_parameters;
-    using Memory = lyapunov_spread_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f32x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32x6_memory>(); lyapunov_spread_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f32x6_memory &memory) noexcept { return Status(lyapunov_spread_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_spread_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_spread_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f32x6 storage{};
 };
 
-template <> class Spread<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f64x6)
+template <> class Spread<Axes<double, 6>> : public detail::Account<lyapunov_spread_f64x6> {
 public:
-    using Parameters = lyapunov_spread_f64x6_parameters;
-    using Memory = lyapunov_spread_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f64x6_parameters &parameters) noexcept { return Status(lyapunov_spread_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64x6_memory>(); lyapunov_spread_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f64x6_memory &memory) noexcept { return Status(lyapunov_spread_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_spread_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_spread_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f64x6 storage{};
 };
 
-template <> class Spread<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f32screw)
+template <> class Spread<Screw<float>> : public detail::Account<lyapunov_spread_f32screw> {
 public:
-    using Parameters = lyapunov_spread_f32screw_parameters;
-    using Memory = lyapunov_spread_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f32screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f32screw_memory>(); lyapunov_spread_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f32screw_memory &memory) noexcept { return Status(lyapunov_spread_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_spread_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_spread_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_spread_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_spread_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f32screw storage{};
 };
 
-template <> class Spread<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_spread_f64screw)
+template <> class Spread<Screw<double>> : public detail::Account<lyapunov_spread_f64screw> {
 public:
-    using Parameters = lyapunov_spread_f64screw_parameters;
-    using Memory = lyapunov_spread_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_spread_f64screw_parameters &parameters) noexcept { return Status(lyapunov_spread_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_spread_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_spread_f64screw_memory>(); lyapunov_spread_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_spread_f64screw_memory &memory) noexcept { return Status(lyapunov_spread_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_spread_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_spread_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_spread_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_spread_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_spread_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Spread &a, const Spread &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Spread &a, const Spread &b) noexcept { return !(a == b); }
-    lyapunov_spread_f64screw storage{};
 };
 
 /* LOLC whose correction rises over the first ticks of each engagement (SoftStart). */
 template <class Signal> class SoftStart;
 
-template <> class SoftStart<float> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32)
+template <> class SoftStart<float> : public detail::Account<lyapunov_soft_start_f32> {
 public:
-    using Parameters = lyapunov_soft_start_f32_parameters;
-    using Memory = lyapunov_soft_start_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f32_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32_memory>(); lyapunov_soft_start_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f32_memory &memory) noexcept { return Status(lyapunov_soft_start_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_soft_start_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_soft_start_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f32 storage{};
 };
 
-template <> class SoftStart<double> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64)
+template <> class SoftStart<double> : public detail::Account<lyapunov_soft_start_f64> {
 public:
-    using Parameters = lyapunov_soft_start_f64_parameters;
-    using Memory = lyapunov_soft_start_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f64_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64_memory>(); lyapunov_soft_start_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f64_memory &memory) noexcept { return Status(lyapunov_soft_start_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_soft_start_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_soft_start_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f64 storage{};
 };
 
-template <> class SoftStart<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32x3)
+template <> class SoftStart<Axes<float, 3>> : public detail::Account<lyapunov_soft_start_f32x3> {
 public:
-    using Parameters = lyapunov_soft_start_f32x3_parameters;
-    using Memory = lyapunov_soft_start_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f32x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x3_memory>(); lyapunov_soft_start_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f32x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_soft_start_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_soft_start_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f32x3 storage{};
 };
 
-template <> class SoftStart<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64x3)
+template <> class SoftStart<Axes<double, 3>> : public detail::Account<lyapunov_soft_start_f64x3> {
 public:
-    using Parameters = lyapunov_soft_start_f64x3_parameters;
-    using Memory = lyapunov_soft_start_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f64x3_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x3_memory>(); lyapunov_soft_start_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f64x3_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_soft_start_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_soft_start_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f64x3 storage{};
 };
 
-template <> class SoftStart<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32x6)
+template <> class SoftStart<Axes<float, 6>> : public detail::Account<lyapunov_soft_start_f32x6> {
 public:
-    using Parameters = lyapunov_soft_start_f32x6_parameters;
-    using Memory = lyapunov_soft_start_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f32x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32x6_memory>(); lyapunov_soft_start_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f32x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_soft_start_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_soft_start_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f32x6 storage{};
 };
 
-template <> class SoftStart<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64x6)
+template <> class SoftStart<Axes<double, 6>> : public detail::Account<lyapunov_soft_start_f64x6> {
 public:
-    using Parameters = lyapunov_soft_start_f64x6_parameters;
-    using Memory = lyapunov_soft_start_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f64x6_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64x6_memory>(); lyapunov_soft_start_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f64x6_memory &memory) noexcept { return Status(lyapunov_soft_start_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_soft_start_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_soft_start_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f64x6 storage{};
 };
 
-template <> class SoftStart<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32screw)
+template <> class SoftStart<Screw<float>> : public detail::Account<lyapunov_soft_start_f32screw> {
 public:
-    using Parameters = lyapunov_soft_start_f32screw_parameters;
-    using Memory = lyapunov_soft_start_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f32screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f32screw_memory>(); lyapunov_soft_start_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f32screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_soft_start_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_soft_start_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_soft_start_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_soft_start_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f32screw storage{};
 };
 
-template <> class SoftStart<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64screw)
+template <> class SoftStart<Screw<double>> : public detail::Account<lyapunov_soft_start_f64screw> {
 public:
-    using Parameters = lyapunov_soft_start_f64screw_parameters;
-    using Memory = lyapunov_soft_start_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_soft_start_f64screw_parameters &parameters) noexcept { return Status(lyapunov_soft_start_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_soft_start_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_soft_start_f64screw_memory>(); lyapunov_soft_start_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_soft_start_f64screw_memory &memory) noexcept { return Status(lyapunov_soft_start_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_soft_start_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_soft_start_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_soft_start_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_soft_start_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_soft_start_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SoftStart &a, const SoftStart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SoftStart &a, const SoftStart &b) noexcept { return !(a == b); }
-    lyapunov_soft_start_f64screw storage{};
 };
 
 /* LOLC whose correction grows no faster than a rate (RateLimit). */
 template <class Signal> class RateLimit;
 
-template <> class RateLimit<float> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32)
+template <> class RateLimit<float> : public detail::Account<lyapunov_rate_limit_f32> {
 public:
-    using Parameters = lyapunov_rate_limit_f32_parameters;
-    using Memory = lyapunov_rate_limit_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f32_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32_memory>(); lyapunov_rate_limit_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f32_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_rate_limit_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_rate_limit_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f32 storage{};
 };
 
-template <> class RateLimit<double> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64)
+template <> class RateLimit<double> : public detail::Account<lyapunov_rate_limit_f64> {
 public:
-    using Parameters = lyapunov_rate_limit_f64_parameters;
-    using Memory = lyapunov_rate_limit_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f64_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64_memory>(); lyapunov_rate_limit_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f64_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_rate_limit_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_rate_limit_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f64 storage{};
 };
 
-template <> class RateLimit<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32x3)
+template <> class RateLimit<Axes<float, 3>> : public detail::Account<lyapunov_rate_limit_f32x3> {
 public:
-    using Parameters = lyapunov_rate_limit_f32x3_parameters;
-    using Memory = lyapunov_rate_limit_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x3_memory>(); lyapunov_rate_limit_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_rate_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_rate_limit_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f32x3 storage{};
 };
 
-template <> class RateLimit<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64x3)
+template <> class RateLimit<Axes<double, 3>> : public detail::Account<lyapunov_rate_limit_f64x3> {
 public:
-    using Parameters = lyapunov_rate_limit_f64x3_parameters;
-    using Memory = lyapunov_rate_limit_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x3_memory>(); lyapunov_rate_limit_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_rate_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_rate_limit_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f64x3 storage{};
 };
 
-template <> class RateLimit<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32x6)
+template <> class RateLimit<Axes<float, 6>> : public detail::Account<lyapunov_rate_limit_f32x6> {
 public:
-    using Parameters = lyapunov_rate_limit_f32x6_parameters;
-    using Memory = lyapunov_rate_limit_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32x6_memory>(); lyapunov_rate_limit_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_rate_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_rate_limit_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f32x6 storage{};
 };
 
-template <> class RateLimit<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64x6)
+template <> class RateLimit<Axes<double, 6>> : public detail::Account<lyapunov_rate_limit_f64x6> {
 public:
-    using Parameters = lyapunov_rate_limit_f64x6_parameters;
-    using Memory = lyapunov_rate_limit_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64x6_memory>(); lyapunov_rate_limit_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_rate_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_rate_limit_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f64x6 storage{};
 };
 
-template <> class RateLimit<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32screw)
+template <> class RateLimit<Screw<float>> : public detail::Account<lyapunov_rate_limit_f32screw> {
 public:
-    using Parameters = lyapunov_rate_limit_f32screw_parameters;
-    using Memory = lyapunov_rate_limit_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f32screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f32screw_memory>(); lyapunov_rate_limit_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f32screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_rate_limit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_rate_limit_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_rate_limit_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_rate_limit_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f32screw storage{};
 };
 
-template <> class RateLimit<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64screw)
+template <> class RateLimit<Screw<double>> : public detail::Account<lyapunov_rate_limit_f64screw> {
 public:
-    using Parameters = lyapunov_rate_limit_f64screw_parameters;
-    using Memory = lyapunov_rate_limit_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_rate_limit_f64screw_parameters &parameters) noexcept { return Status(lyapunov_rate_limit_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_rate_limit_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_rate_limit_f64screw_memory>(); lyapunov_rate_limit_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_rate_limit_f64screw_memory &memory) noexcept { return Status(lyapunov_rate_limit_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_rate_limit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_rate_limit_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_rate_limit_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_rate_limit_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_rate_limit_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const RateLimit &a, const RateLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const RateLimit &a, const RateLimit &b) noexcept { return !(a == b); }
-    lyapunov_rate_limit_f64screw storage{};
 };
 
 /* LOLC that dissipates on some axes more than on others (DirectedDamping with AxisWeights). */
 template <class Signal> class AxisWeights;
 
-template <> class AxisWeights<float> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32)
+template <> class AxisWeights<float> : public detail::Account<lyapunov_axis_weights_f32> {
 public:
-    using Parameters = lyapunov_axis_weights_f32_parameters;
-    using Memory = lyapunov_axis_weights_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f32_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32_memory>(); lyapunov_axis_weights_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f32_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_axis_weights_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_axis_weights_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f32 storage{};
 };
 
-template <> class AxisWeights<double> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64)
+template <> class AxisWeights<double> : public detail::Account<lyapunov_axis_weights_f64> {
 public:
-    using Parameters = lyapunov_axis_weights_f64_parameters;
-    using Memory = lyapunov_axis_weights_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f64_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64_memory>(); lyapunov_axis_weights_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f64_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_axis_weights_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_axis_weights_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f64 storage{};
 };
 
-template <> class AxisWeights<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32x3)
+template <> class AxisWeights<Axes<float, 3>> : public detail::Account<lyapunov_axis_weights_f32x3> {
 public:
-    using Parameters = lyapunov_axis_weights_f32x3_parameters;
-    using Memory = lyapunov_axis_weights_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f32x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x3_memory>(); lyapunov_axis_weights_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f32x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_axis_weights_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_axis_weights_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f32x3 storage{};
 };
 
-template <> class AxisWeights<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64x3)
+template <> class AxisWeights<Axes<double, 3>> : public detail::Account<lyapunov_axis_weights_f64x3> {
 public:
-    using Parameters = lyapunov_axis_weights_f64x3_parameters;
-    using Memory = lyapunov_axis_weights_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f64x3_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x3_memory>(); lyapunov_axis_weights_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f64x3_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_axis_weights_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_axis_weights_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f64x3 storage{};
 };
 
-template <> class AxisWeights<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32x6)
+template <> class AxisWeights<Axes<float, 6>> : public detail::Account<lyapunov_axis_weights_f32x6> {
 public:
-    using Parameters = lyapunov_axis_weights_f32x6_parameters;
-    using Memory = lyapunov_axis_weights_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f32x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32x6_memory>(); lyapunov_axis_weights_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f32x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_axis_weights_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_axis_weights_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f32x6 storage{};
 };
 
-template <> class AxisWeights<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64x6)
+template <> class AxisWeights<Axes<double, 6>> : public detail::Account<lyapunov_axis_weights_f64x6> {
 public:
-    using Parameters = lyapunov_axis_weights_f64x6_parameters;
-    using Memory = lyapunov_axis_weights_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f64x6_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64x6_memory>(); lyapunov_axis_weights_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f64x6_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_axis_weights_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_axis_weights_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f64x6 storage{};
 };
 
-template <> class AxisWeights<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32screw)
+template <> class AxisWeights<Screw<float>> : public detail::Account<lyapunov_axis_weights_f32screw> {
 public:
-    using Parameters = lyapunov_axis_weights_f32screw_parameters;
-    using Memory = lyapunov_axis_weights_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f32screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f32screw_memory>(); lyapunov_axis_weights_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f32screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_axis_weights_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_axis_weights_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_axis_weights_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_axis_weights_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f32screw storage{};
 };
 
-template <> class AxisWeights<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64screw)
+template <> class AxisWeights<Screw<double>> : public detail::Account<lyapunov_axis_weights_f64screw> {
 public:
-    using Parameters = lyapunov_axis_weights_f64screw_parameters;
-    using Memory = lyapunov_axis_weights_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_axis_weights_f64screw_parameters &parameters) noexcept { return Status(lyapunov_axis_weights_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_axis_weights_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_axis_weights_f64screw_memory>(); lyapunov_axis_weights_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_axis_weights_f64screw_memory &memory) noexcept { return Status(lyapunov_axis_weights_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_axis_weights_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_axis_weights_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_axis_weights_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_axis_weights_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_axis_weights_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AxisWeights &a, const AxisWeights &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AxisWeights &a, const AxisWeights &b) noexcept { return !(a == b); }
-    lyapunov_axis_weights_f64screw storage{};
 };
 
 /* LOLC that dissipates in one direction only (DirectedDamping with AlongDirection). */
 template <class Signal> class AlongDirection;
 
-template <> class AlongDirection<float> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32)
+template <> class AlongDirection<float> : public detail::Account<lyapunov_along_direction_f32> {
 public:
-    using Parameters = lyapunov_along_direction_f32_parameters;
-    using Memory = lyapunov_along_direction_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f32_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32_memory>(); lyapunov_along_direction_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f32_memory &memory) noexcept { return Status(lyapunov_along_direction_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_along_direction_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_along_direction_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f32 storage{};
 };
 
-template <> class AlongDirection<double> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64)
+template <> class AlongDirection<double> : public detail::Account<lyapunov_along_direction_f64> {
 public:
-    using Parameters = lyapunov_along_direction_f64_parameters;
-    using Memory = lyapunov_along_direction_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f64_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64_memory>(); lyapunov_along_direction_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f64_memory &memory) noexcept { return Status(lyapunov_along_direction_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_along_direction_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_along_direction_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f64 storage{};
 };
 
-template <> class AlongDirection<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32x3)
+template <> class AlongDirection<Axes<float, 3>> : public detail::Account<lyapunov_along_direction_f32x3> {
 public:
-    using Parameters = lyapunov_along_direction_f32x3_parameters;
-    using Memory = lyapunov_along_direction_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f32x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x3_memory>(); lyapunov_along_direction_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f32x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_along_direction_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_along_direction_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f32x3 storage{};
 };
 
-template <> class AlongDirection<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64x3)
+template <> class AlongDirection<Axes<double, 3>> : public detail::Account<lyapunov_along_direction_f64x3> {
 public:
-    using Parameters = lyapunov_along_direction_f64x3_parameters;
-    using Memory = lyapunov_along_direction_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f64x3_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x3_memory>(); lyapunov_along_direction_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f64x3_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_along_direction_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_along_direction_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f64x3 storage{};
 };
 
-template <> class AlongDirection<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32x6)
+template <> class AlongDirection<Axes<float, 6>> : public detail::Account<lyapunov_along_direction_f32x6> {
 public:
-    using Parameters = lyapunov_along_direction_f32x6_parameters;
-    using Memory = lyapunov_along_direction_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f32x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32x6_memory>(); lyapunov_along_direction_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f32x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_along_direction_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_along_direction_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f32x6 storage{};
 };
 
-template <> class AlongDirection<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64x6)
+template <> class AlongDirection<Axes<double, 6>> : public detail::Account<lyapunov_along_direction_f64x6> {
 public:
-    using Parameters = lyapunov_along_direction_f64x6_parameters;
-    using Memory = lyapunov_along_direction_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f64x6_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64x6_memory>(); lyapunov_along_direction_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f64x6_memory &memory) noexcept { return Status(lyapunov_along_direction_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_along_direction_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_along_direction_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f64x6 storage{};
 };
 
-template <> class AlongDirection<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32screw)
+template <> class AlongDirection<Screw<float>> : public detail::Account<lyapunov_along_direction_f32screw> {
 public:
-    using Parameters = lyapunov_along_direction_f32screw_parameters;
-    using Memory = lyapunov_along_direction_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f32screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f32screw_memory>(); lyapunov_along_direction_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f32screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_along_direction_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_along_direction_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_along_direction_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_along_direction_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f32screw storage{};
 };
 
-template <> class AlongDirection<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64screw)
+template <> class AlongDirection<Screw<double>> : public detail::Account<lyapunov_along_direction_f64screw> {
 public:
-    using Parameters = lyapunov_along_direction_f64screw_parameters;
-    using Memory = lyapunov_along_direction_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_along_direction_f64screw_parameters &parameters) noexcept { return Status(lyapunov_along_direction_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_along_direction_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_along_direction_f64screw_memory>(); lyapunov_along_direction_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_along_direction_f64screw_memory &memory) noexcept { return Status(lyapunov_along_direction_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_along_direction_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_along_direction_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_along_direction_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_along_direction_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_along_direction_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const AlongDirection &a, const AlongDirection &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const AlongDirection &a, const AlongDirection &b) noexcept { return !(a == b); }
-    lyapunov_along_direction_f64screw storage{};
 };
 
 /* LOLC that slows coupled axes in proportion, by their inertia matrix (DirectedDamping with InertiaMetric). A posture that changes is told by `retune`, before each step. */
 template <class Signal> class InertiaMetric;
 
-template <> class InertiaMetric<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f32x3)
+template <> class InertiaMetric<Axes<float, 3>> : public detail::Account<lyapunov_inertia_metric_f32x3> {
 public:
-    using Parameters = lyapunov_inertia_metric_f32x3_parameters;
-    using Memory = lyapunov_inertia_metric_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_metric_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x3_memory>(); lyapunov_inertia_metric_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_metric_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_metric_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_inertia_metric_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_inertia_metric_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
-    lyapunov_inertia_metric_f32x3 storage{};
 };
 
-template <> class InertiaMetric<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f64x3)
+template <> class InertiaMetric<Axes<double, 3>> : public detail::Account<lyapunov_inertia_metric_f64x3> {
 public:
-    using Parameters = lyapunov_inertia_metric_f64x3_parameters;
-    using Memory = lyapunov_inertia_metric_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_metric_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x3_memory>(); lyapunov_inertia_metric_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_metric_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_metric_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_inertia_metric_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_inertia_metric_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
-    lyapunov_inertia_metric_f64x3 storage{};
 };
 
-template <> class InertiaMetric<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f32x6)
+template <> class InertiaMetric<Axes<float, 6>> : public detail::Account<lyapunov_inertia_metric_f32x6> {
 public:
-    using Parameters = lyapunov_inertia_metric_f32x6_parameters;
-    using Memory = lyapunov_inertia_metric_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_metric_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f32x6_memory>(); lyapunov_inertia_metric_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_metric_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_metric_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_inertia_metric_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_inertia_metric_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_inertia_metric_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
-    lyapunov_inertia_metric_f32x6 storage{};
 };
 
-template <> class InertiaMetric<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f64x6)
+template <> class InertiaMetric<Axes<double, 6>> : public detail::Account<lyapunov_inertia_metric_f64x6> {
 public:
-    using Parameters = lyapunov_inertia_metric_f64x6_parameters;
-    using Memory = lyapunov_inertia_metric_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_metric_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_metric_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_metric_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_metric_f64x6_memory>(); lyapunov_inertia_metric_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_metric_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_metric_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_metric_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_inertia_metric_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_metric_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_inertia_metric_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_inertia_metric_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaMetric &a, const InertiaMetric &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaMetric &a, const InertiaMetric &b) noexcept { return !(a == b); }
-    lyapunov_inertia_metric_f64x6 storage{};
 };
 
 /* LOLC within what the joints of a mechanism can use in its present posture (InertiaLimit with JointInertia), which is told by `retune`, before each step. */
 template <class Signal> class InertiaLimit;
 
-template <> class InertiaLimit<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f32x3)
+template <> class InertiaLimit<Axes<float, 3>> : public detail::Account<lyapunov_inertia_limit_f32x3> {
 public:
-    using Parameters = lyapunov_inertia_limit_f32x3_parameters;
-    using Memory = lyapunov_inertia_limit_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_limit_f32x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x3_memory>(); lyapunov_inertia_limit_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_limit_f32x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_inertia_limit_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_inertia_limit_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
-    lyapunov_inertia_limit_f32x3 storage{};
 };
 
-template <> class InertiaLimit<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f64x3)
+template <> class InertiaLimit<Axes<double, 3>> : public detail::Account<lyapunov_inertia_limit_f64x3> {
 public:
-    using Parameters = lyapunov_inertia_limit_f64x3_parameters;
-    using Memory = lyapunov_inertia_limit_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_limit_f64x3_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x3_memory>(); lyapunov_inertia_limit_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_limit_f64x3_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_inertia_limit_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_inertia_limit_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
-    lyapunov_inertia_limit_f64x3 storage{};
 };
 
-template <> class InertiaLimit<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f32x6)
+template <> class InertiaLimit<Axes<float, 6>> : public detail::Account<lyapunov_inertia_limit_f32x6> {
 public:
-    using Parameters = lyapunov_inertia_limit_f32x6_parameters;
-    using Memory = lyapunov_inertia_limit_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_limit_f32x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f32x6_memory>(); lyapunov_inertia_limit_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_limit_f32x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_inertia_limit_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_inertia_limit_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_inertia_limit_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
-    lyapunov_inertia_limit_f32x6 storage{};
 };
 
-template <> class InertiaLimit<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f64x6)
+template <> class InertiaLimit<Axes<double, 6>> : public detail::Account<lyapunov_inertia_limit_f64x6> {
 public:
-    using Parameters = lyapunov_inertia_limit_f64x6_parameters;
-    using Memory = lyapunov_inertia_limit_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_inertia_limit_f64x6_parameters &parameters) noexcept { return Status(lyapunov_inertia_limit_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_inertia_limit_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_inertia_limit_f64x6_memory>(); lyapunov_inertia_limit_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_inertia_limit_f64x6_memory &memory) noexcept { return Status(lyapunov_inertia_limit_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_inertia_limit_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_inertia_limit_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_inertia_limit_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_inertia_limit_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const InertiaLimit &a, const InertiaLimit &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const InertiaLimit &a, const InertiaLimit &b) noexcept { return !(a == b); }
-    lyapunov_inertia_limit_f64x6 storage{};
 };
 
 /* LOLC that rejects samples and efforts which no device can have (Plausible). */
 template <class Signal> class Plausible;
 
-template <> class Plausible<float> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f32)
+template <> class Plausible<float> : public detail::Account<lyapunov_plausible_f32> {
 public:
-    using Parameters = lyapunov_plausible_f32_parameters;
-    using Memory = lyapunov_plausible_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f32_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32_memory>(); lyapunov_plausible_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f32_memory &memory) noexcept { return Status(lyapunov_plausible_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_plausible_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_plausible_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f32 storage{};
 };
 
-template <> class Plausible<double> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f64)
+template <> class Plausible<double> : public detail::Account<lyapunov_plausible_f64> {
 public:
-    using Parameters = lyapunov_plausible_f64_parameters;
-    using Memory = lyapunov_plausible_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f64_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64_memory>(); lyapunov_plausible_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f64_memory &memory) noexcept { return Status(lyapunov_plausible_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_plausible_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_plausible_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f64 storage{};
 };
 
-template <> class Plausible<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f32x3)
+template <> class Plausible<Axes<float, 3>> : public detail::Account<lyapunov_plausible_f32x3> {
 public:
-    using Parameters = lyapunov_plausible_f32x3_parameters;
-    using Memory = lyapunov_plausible_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f32x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x3_memory>(); lyapunov_plausible_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f32x3_memory &memory) noexcept { return Status(lyapunov_plausible_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_plausible_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_plausible_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f32x3 storage{};
 };
 
-template <> class Plausible<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f64x3)
+template <> class Plausible<Axes<double, 3>> : public detail::Account<lyapunov_plausible_f64x3> {
 public:
-    using Parameters = lyapunov_plausible_f64x3_parameters;
-    using Memory = lyapunov_plausible_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f64x3_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x3_memory>(); lyapunov_plausible_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f64x3_memory &memory) noexcept { return Status(lyapunov_plausible_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_plausible_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_plausible_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f64x3 storage{};
 };
 
-template <> class Plausible<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f32x6)
+template <> class Plausible<Axes<float, 6>> : public detail::Account<lyapunov_plausible_f32x6> {
 public:
-    using Parameters = lyapunov_plausible_f32x6_parameters;
-    using Memory = lyapunov_plausible_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f32x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32x6_memory>(); lyapunov_plausible_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f32x6_memory &memory) noexcept { return Status(lyapunov_plausible_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_plausible_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_plausible_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f32x6 storage{};
 };
 
-template <> class Plausible<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f64x6)
+template <> class Plausible<Axes<double, 6>> : public detail::Account<lyapunov_plausible_f64x6> {
 public:
-    using Parameters = lyapunov_plausible_f64x6_parameters;
-    using Memory = lyapunov_plausible_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f64x6_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64x6_memory>(); lyapunov_plausible_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f64x6_memory &memory) noexcept { return Status(lyapunov_plausible_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_plausible_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_plausible_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f64x6 storage{};
 };
 
-template <> class Plausible<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f32screw)
+template <> class Plausible<Screw<float>> : public detail::Account<lyapunov_plausible_f32screw> {
 public:
-    using Parameters = lyapunov_plausible_f32screw_parameters;
-    using Memory = lyapunov_plausible_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f32screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f32screw_memory>(); lyapunov_plausible_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f32screw_memory &memory) noexcept { return Status(lyapunov_plausible_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_plausible_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_plausible_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_plausible_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_plausible_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f32screw storage{};
 };
 
-template <> class Plausible<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_plausible_f64screw)
+template <> class Plausible<Screw<double>> : public detail::Account<lyapunov_plausible_f64screw> {
 public:
-    using Parameters = lyapunov_plausible_f64screw_parameters;
-    using Memory = lyapunov_plausible_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_plausible_f64screw_parameters &parameters) noexcept { return Status(lyapunov_plausible_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_plausible_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_plausible_f64screw_memory>(); lyapunov_plausible_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_plausible_f64screw_memory &memory) noexcept { return Status(lyapunov_plausible_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_plausible_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_plausible_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_plausible_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_plausible_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_plausible_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Plausible &a, const Plausible &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Plausible &a, const Plausible &b) noexcept { return !(a == b); }
-    lyapunov_plausible_f64screw storage{};
 };
 
 /* LOLC that holds its last effort for a while without sound samples, then lets go, and comes back gently (Watchdog). */
 template <class Signal> class Watchdog;
 
-template <> class Watchdog<float> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32)
+template <> class Watchdog<float> : public detail::Account<lyapunov_watchdog_f32> {
 public:
-    using Parameters = lyapunov_watchdog_f32_parameters;
-    using Memory = lyapunov_watchdog_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f32_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32_memory>(); lyapunov_watchdog_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f32_memory &memory) noexcept { return Status(lyapunov_watchdog_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_watchdog_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_watchdog_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f32 storage{};
 };
 
-template <> class Watchdog<double> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64)
+template <> class Watchdog<double> : public detail::Account<lyapunov_watchdog_f64> {
 public:
-    using Parameters = lyapunov_watchdog_f64_parameters;
-    using Memory = lyapunov_watchdog_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f64_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64_memory>(); lyapunov_watchdog_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f64_memory &memory) noexcept { return Status(lyapunov_watchdog_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_watchdog_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_watchdog_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f64 storage{};
 };
 
-template <> class Watchdog<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32x3)
+template <> class Watchdog<Axes<float, 3>> : public detail::Account<lyapunov_watchdog_f32x3> {
 public:
-    using Parameters = lyapunov_watchdog_f32x3_parameters;
-    using Memory = lyapunov_watchdog_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f32x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x3_memory>(); lyapunov_watchdog_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f32x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_watchdog_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_watchdog_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f32x3 storage{};
 };
 
-template <> class Watchdog<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64x3)
+template <> class Watchdog<Axes<double, 3>> : public detail::Account<lyapunov_watchdog_f64x3> {
 public:
-    using Parameters = lyapunov_watchdog_f64x3_parameters;
-    using Memory = lyapunov_watchdog_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f64x3_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x3_memory>(); lyapunov_watchdog_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f64x3_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_watchdog_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_watchdog_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f64x3 storage{};
 };
 
-template <> class Watchdog<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32x6)
+template <> class Watchdog<Axes<float, 6>> : public detail::Account<lyapunov_watchdog_f32x6> {
 public:
-    using Parameters = lyapunov_watchdog_f32x6_parameters;
-    using Memory = lyapunov_watchdog_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f32x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32x6_memory>(); lyapunov_watchdog_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f32x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_watchdog_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_watchdog_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f32x6 storage{};
 };
 
-template <> class Watchdog<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64x6)
+template <> class Watchdog<Axes<double, 6>> : public detail::Account<lyapunov_watchdog_f64x6> {
 public:
-    using Parameters = lyapunov_watchdog_f64x6_parameters;
-    using Memory = lyapunov_watchdog_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f64x6_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64x6_memory>(); lyapunov_watchdog_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f64x6_memory &memory) noexcept { return Status(lyapunov_watchdog_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_watchdog_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_watchdog_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f64x6 storage{};
 };
 
-template <> class Watchdog<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32screw)
+template <> class Watchdog<Screw<float>> : public detail::Account<lyapunov_watchdog_f32screw> {
 public:
-    using Parameters = lyapunov_watchdog_f32screw_parameters;
-    using Memory = lyapunov_watchdog_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f32screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f32screw_memory>(); lyapunov_watchdog_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f32screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_watchdog_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_watchdog_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_watchdog_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_watchdog_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f32screw storage{};
 };
 
-template <> class Watchdog<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64screw)
+template <> class Watchdog<Screw<double>> : public detail::Account<lyapunov_watchdog_f64screw> {
 public:
-    using Parameters = lyapunov_watchdog_f64screw_parameters;
-    using Memory = lyapunov_watchdog_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_watchdog_f64screw_parameters &parameters) noexcept { return Status(lyapunov_watchdog_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_watchdog_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_watchdog_f64screw_memory>(); lyapunov_watchdog_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_watchdog_f64screw_memory &memory) noexcept { return Status(lyapunov_watchdog_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_watchdog_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_watchdog_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_watchdog_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_watchdog_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_watchdog_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Watchdog &a, const Watchdog &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Watchdog &a, const Watchdog &b) noexcept { return !(a == b); }
-    lyapunov_watchdog_f64screw storage{};
 };
 
 /* What a loop on real hardware wants at once: LOLC with a bounded credit, a correction that grows no faster than a rate, implausible samples rejected, and a watchdog (Watchdog of Plausible of RateLimit of BoundedCredit). */
 template <class Signal> class Safeguarded;
 
-template <> class Safeguarded<float> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32)
+template <> class Safeguarded<float> : public detail::Account<lyapunov_safeguarded_f32> {
 public:
-    using Parameters = lyapunov_safeguarded_f32_parameters;
-    using Memory = lyapunov_safeguarded_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f32_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32_memory>(); lyapunov_safeguarded_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f32_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_safeguarded_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_safeguarded_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f32 storage{};
 };
 
-template <> class Safeguarded<double> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64)
+template <> class Safeguarded<double> : public detail::Account<lyapunov_safeguarded_f64> {
 public:
-    using Parameters = lyapunov_safeguarded_f64_parameters;
-    using Memory = lyapunov_safeguarded_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f64_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64_memory>(); lyapunov_safeguarded_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f64_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_safeguarded_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_safeguarded_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f64 storage{};
 };
 
-template <> class Safeguarded<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32x3)
+template <> class Safeguarded<Axes<float, 3>> : public detail::Account<lyapunov_safeguarded_f32x3> {
 public:
-    using Parameters = lyapunov_safeguarded_f32x3_parameters;
-    using Memory = lyapunov_safeguarded_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f32x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x3_memory>(); lyapunov_safeguarded_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f32x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_safeguarded_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_safeguarded_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f32x3 storage{};
 };
 
-template <> class Safeguarded<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64x3)
+template <> class Safeguarded<Axes<double, 3>> : public detail::Account<lyapunov_safeguarded_f64x3> {
 public:
-    using Parameters = lyapunov_safeguarded_f64x3_parameters;
-    using Memory = lyapunov_safeguarded_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f64x3_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x3_memory>(); lyapunov_safeguarded_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f64x3_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_safeguarded_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_safeguarded_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f64x3 storage{};
 };
 
-template <> class Safeguarded<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32x6)
+template <> class Safeguarded<Axes<float, 6>> : public detail::Account<lyapunov_safeguarded_f32x6> {
 public:
-    using Parameters = lyapunov_safeguarded_f32x6_parameters;
-    using Memory = lyapunov_safeguarded_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f32x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32x6_memory>(); lyapunov_safeguarded_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f32x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_safeguarded_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_safeguarded_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f32x6 storage{};
 };
 
-template <> class Safeguarded<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64x6)
+template <> class Safeguarded<Axes<double, 6>> : public detail::Account<lyapunov_safeguarded_f64x6> {
 public:
-    using Parameters = lyapunov_safeguarded_f64x6_parameters;
-    using Memory = lyapunov_safeguarded_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f64x6_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64x6_memory>(); lyapunov_safeguarded_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f64x6_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_safeguarded_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_safeguarded_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f64x6 storage{};
 };
 
-template <> class Safeguarded<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32screw)
+template <> class Safeguarded<Screw<float>> : public detail::Account<lyapunov_safeguarded_f32screw> {
 public:
-    using Parameters = lyapunov_safeguarded_f32screw_parameters;
-    using Memory = lyapunov_safeguarded_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f32screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f32screw_memory>(); lyapunov_safeguarded_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f32screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_safeguarded_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_safeguarded_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_safeguarded_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_safeguarded_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f32screw storage{};
 };
 
-template <> class Safeguarded<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64screw)
+template <> class Safeguarded<Screw<double>> : public detail::Account<lyapunov_safeguarded_f64screw> {
 public:
-    using Parameters = lyapunov_safeguarded_f64screw_parameters;
-    using Memory = lyapunov_safeguarded_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_safeguarded_f64screw_parameters &parameters) noexcept { return Status(lyapunov_safeguarded_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_safeguarded_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_safeguarded_f64screw_memory>(); lyapunov_safeguarded_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_safeguarded_f64screw_memory &memory) noexcept { return Status(lyapunov_safeguarded_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_safeguarded_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_safeguarded_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_safeguarded_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_safeguarded_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_safeguarded_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Safeguarded &a, const Safeguarded &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Safeguarded &a, const Safeguarded &b) noexcept { return !(a == b); }
-    lyapunov_safeguarded_f64screw storage{};
 };
 
 /* LOLC with a sum for each axis (PerAxis): what one axis absorbed does not pay for another. */
 template <class Signal> class PerAxis;
 
-template <> class PerAxis<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_per_axis_f32x3)
+template <> class PerAxis<Axes<float, 3>> : public detail::Block<lyapunov_per_axis_f32x3> {
 public:
-    using Parameters = lyapunov_per_axis_f32x3_parameters;
-    using Memory = lyapunov_per_axis_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_per_axis_f32x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x3_memory>(); lyapunov_per_axis_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_per_axis_f32x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_per_axis_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
-    lyapunov_per_axis_f32x3 storage{};
 };
 
-template <> class PerAxis<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_per_axis_f64x3)
+template <> class PerAxis<Axes<double, 3>> : public detail::Block<lyapunov_per_axis_f64x3> {
 public:
-    using Parameters = lyapunov_per_axis_f64x3_parameters;
-    using Memory = lyapunov_per_axis_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_per_axis_f64x3_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x3_memory>(); lyapunov_per_axis_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_per_axis_f64x3_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_per_axis_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
-    lyapunov_per_axis_f64x3 storage{};
 };
 
-template <> class PerAxis<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_per_axis_f32x6)
+template <> class PerAxis<Axes<float, 6>> : public detail::Block<lyapunov_per_axis_f32x6> {
 public:
-    using Parameters = lyapunov_per_axis_f32x6_parameters;
-    using Memory = lyapunov_per_axis_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_per_axis_f32x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f32x6_memory>(); lyapunov_per_axis_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_per_axis_f32x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_per_axis_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
-    lyapunov_per_axis_f32x6 storage{};
 };
 
-template <> class PerAxis<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_per_axis_f64x6)
+template <> class PerAxis<Axes<double, 6>> : public detail::Block<lyapunov_per_axis_f64x6> {
 public:
-    using Parameters = lyapunov_per_axis_f64x6_parameters;
-    using Memory = lyapunov_per_axis_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_per_axis_f64x6_parameters &parameters) noexcept { return Status(lyapunov_per_axis_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_axis_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_axis_f64x6_memory>(); lyapunov_per_axis_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_per_axis_f64x6_memory &memory) noexcept { return Status(lyapunov_per_axis_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_per_axis_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PerAxis &a, const PerAxis &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PerAxis &a, const PerAxis &b) noexcept { return !(a == b); }
-    lyapunov_per_axis_f64x6 storage{};
 };
 
 /* LOLC with a sum for translation and one for rotation (PerPart). */
 template <class Signal> class PerPart;
 
-template <> class PerPart<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_per_part_f32screw)
+template <> class PerPart<Screw<float>> : public detail::Block<lyapunov_per_part_f32screw> {
 public:
-    using Parameters = lyapunov_per_part_f32screw_parameters;
-    using Memory = lyapunov_per_part_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_per_part_f32screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_part_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f32screw_memory>(); lyapunov_per_part_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_per_part_f32screw_memory &memory) noexcept { return Status(lyapunov_per_part_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_per_part_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
-    lyapunov_per_part_f32screw storage{};
 };
 
-template <> class PerPart<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_per_part_f64screw)
+template <> class PerPart<Screw<double>> : public detail::Block<lyapunov_per_part_f64screw> {
 public:
-    using Parameters = lyapunov_per_part_f64screw_parameters;
-    using Memory = lyapunov_per_part_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_per_part_f64screw_parameters &parameters) noexcept { return Status(lyapunov_per_part_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_per_part_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_per_part_f64screw_memory>(); lyapunov_per_part_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_per_part_f64screw_memory &memory) noexcept { return Status(lyapunov_per_part_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_per_part_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PerPart &a, const PerPart &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PerPart &a, const PerPart &b) noexcept { return !(a == b); }
-    lyapunov_per_part_f64screw storage{};
 };
 
 /* LOLC with one sum for a rigid body, and a damping limit for each part (DirectedDamping::within PartLimits). */
 template <class Signal> class PartLimits;
 
-template <> class PartLimits<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_part_limits_f32screw)
+template <> class PartLimits<Screw<float>> : public detail::Account<lyapunov_part_limits_f32screw> {
 public:
-    using Parameters = lyapunov_part_limits_f32screw_parameters;
-    using Memory = lyapunov_part_limits_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_part_limits_f32screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_part_limits_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f32screw_memory>(); lyapunov_part_limits_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_part_limits_f32screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_part_limits_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_part_limits_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_part_limits_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_part_limits_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_part_limits_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PartLimits &a, const PartLimits &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PartLimits &a, const PartLimits &b) noexcept { return !(a == b); }
-    lyapunov_part_limits_f32screw storage{};
 };
 
-template <> class PartLimits<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_part_limits_f64screw)
+template <> class PartLimits<Screw<double>> : public detail::Account<lyapunov_part_limits_f64screw> {
 public:
-    using Parameters = lyapunov_part_limits_f64screw_parameters;
-    using Memory = lyapunov_part_limits_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_part_limits_f64screw_parameters &parameters) noexcept { return Status(lyapunov_part_limits_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_part_limits_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_part_limits_f64screw_memory>(); lyapunov_part_limits_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_part_limits_f64screw_memory &memory) noexcept { return Status(lyapunov_part_limits_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_part_limits_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_part_limits_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_part_limits_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_part_limits_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_part_limits_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PartLimits &a, const PartLimits &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PartLimits &a, const PartLimits &b) noexcept { return !(a == b); }
-    lyapunov_part_limits_f64screw storage{};
 };
 
 /* Force bounding that keeps what free motion dissipated (ForceBound). */
 template <class Signal> class ForceBound;
 
-template <> class ForceBound<float> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32)
+template <> class ForceBound<float> : public detail::Account<lyapunov_force_bound_f32> {
 public:
-    using Parameters = lyapunov_force_bound_f32_parameters;
-    using Memory = lyapunov_force_bound_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32_memory>(); lyapunov_force_bound_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f32_memory &memory) noexcept { return Status(lyapunov_force_bound_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bound_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f32 storage{};
 };
 
-template <> class ForceBound<double> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64)
+template <> class ForceBound<double> : public detail::Account<lyapunov_force_bound_f64> {
 public:
-    using Parameters = lyapunov_force_bound_f64_parameters;
-    using Memory = lyapunov_force_bound_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64_memory>(); lyapunov_force_bound_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f64_memory &memory) noexcept { return Status(lyapunov_force_bound_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bound_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f64 storage{};
 };
 
-template <> class ForceBound<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32x3)
+template <> class ForceBound<Axes<float, 3>> : public detail::Account<lyapunov_force_bound_f32x3> {
 public:
-    using Parameters = lyapunov_force_bound_f32x3_parameters;
-    using Memory = lyapunov_force_bound_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x3_memory>(); lyapunov_force_bound_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bound_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f32x3 storage{};
 };
 
-template <> class ForceBound<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64x3)
+template <> class ForceBound<Axes<double, 3>> : public detail::Account<lyapunov_force_bound_f64x3> {
 public:
-    using Parameters = lyapunov_force_bound_f64x3_parameters;
-    using Memory = lyapunov_force_bound_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x3_memory>(); lyapunov_force_bound_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bound_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f64x3 storage{};
 };
 
-template <> class ForceBound<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32x6)
+template <> class ForceBound<Axes<float, 6>> : public detail::Account<lyapunov_force_bound_f32x6> {
 public:
-    using Parameters = lyapunov_force_bound_f32x6_parameters;
-    using Memory = lyapunov_force_bound_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32x6_memory>(); lyapunov_force_bound_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bound_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f32x6 storage{};
 };
 
-template <> class ForceBound<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64x6)
+template <> class ForceBound<Axes<double, 6>> : public detail::Account<lyapunov_force_bound_f64x6> {
 public:
-    using Parameters = lyapunov_force_bound_f64x6_parameters;
-    using Memory = lyapunov_force_bound_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64x6_memory>(); lyapunov_force_bound_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bound_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bound_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f64x6 storage{};
 };
 
-template <> class ForceBound<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32screw)
+template <> class ForceBound<Screw<float>> : public detail::Account<lyapunov_force_bound_f32screw> {
 public:
-    using Parameters = lyapunov_force_bound_f32screw_parameters;
-    using Memory = lyapunov_force_bound_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f32screw_memory>(); lyapunov_force_bound_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bound_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bound_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bound_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f32screw storage{};
 };
 
-template <> class ForceBound<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64screw)
+template <> class ForceBound<Screw<double>> : public detail::Account<lyapunov_force_bound_f64screw> {
 public:
-    using Parameters = lyapunov_force_bound_f64screw_parameters;
-    using Memory = lyapunov_force_bound_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bound_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bound_f64screw_memory>(); lyapunov_force_bound_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bound_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bound_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bound_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bound_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bound_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBound &a, const ForceBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBound &a, const ForceBound &b) noexcept { return !(a == b); }
-    lyapunov_force_bound_f64screw storage{};
 };
 
 /* Force bounding that starts anew at each contact (ForceBounding). */
 template <class Signal> class ForceBounding;
 
-template <> class ForceBounding<float> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32)
+template <> class ForceBounding<float> : public detail::Account<lyapunov_force_bounding_f32> {
 public:
-    using Parameters = lyapunov_force_bounding_f32_parameters;
-    using Memory = lyapunov_force_bounding_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32_memory>(); lyapunov_force_bounding_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f32_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bounding_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f32 storage{};
 };
 
-template <> class ForceBounding<double> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64)
+template <> class ForceBounding<double> : public detail::Account<lyapunov_force_bounding_f64> {
 public:
-    using Parameters = lyapunov_force_bounding_f64_parameters;
-    using Memory = lyapunov_force_bounding_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64_memory>(); lyapunov_force_bounding_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f64_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bounding_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f64 storage{};
 };
 
-template <> class ForceBounding<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32x3)
+template <> class ForceBounding<Axes<float, 3>> : public detail::Account<lyapunov_force_bounding_f32x3> {
 public:
-    using Parameters = lyapunov_force_bounding_f32x3_parameters;
-    using Memory = lyapunov_force_bounding_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x3_memory>(); lyapunov_force_bounding_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bounding_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f32x3 storage{};
 };
 
-template <> class ForceBounding<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64x3)
+template <> class ForceBounding<Axes<double, 3>> : public detail::Account<lyapunov_force_bounding_f64x3> {
 public:
-    using Parameters = lyapunov_force_bounding_f64x3_parameters;
-    using Memory = lyapunov_force_bounding_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x3_memory>(); lyapunov_force_bounding_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bounding_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f64x3 storage{};
 };
 
-template <> class ForceBounding<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32x6)
+template <> class ForceBounding<Axes<float, 6>> : public detail::Account<lyapunov_force_bounding_f32x6> {
 public:
-    using Parameters = lyapunov_force_bounding_f32x6_parameters;
-    using Memory = lyapunov_force_bounding_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32x6_memory>(); lyapunov_force_bounding_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bounding_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f32x6 storage{};
 };
 
-template <> class ForceBounding<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64x6)
+template <> class ForceBounding<Axes<double, 6>> : public detail::Account<lyapunov_force_bounding_f64x6> {
 public:
-    using Parameters = lyapunov_force_bounding_f64x6_parameters;
-    using Memory = lyapunov_force_bounding_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64x6_memory>(); lyapunov_force_bounding_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bounding_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f64x6 storage{};
 };
 
-template <> class ForceBounding<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32screw)
+template <> class ForceBounding<Screw<float>> : public detail::Account<lyapunov_force_bounding_f32screw> {
 public:
-    using Parameters = lyapunov_force_bounding_f32screw_parameters;
-    using Memory = lyapunov_force_bounding_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f32screw_memory>(); lyapunov_force_bounding_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_force_bounding_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_force_bounding_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_force_bounding_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f32screw storage{};
 };
 
-template <> class ForceBounding<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64screw)
+template <> class ForceBounding<Screw<double>> : public detail::Account<lyapunov_force_bounding_f64screw> {
 public:
-    using Parameters = lyapunov_force_bounding_f64screw_parameters;
-    using Memory = lyapunov_force_bounding_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_force_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_force_bounding_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_force_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_force_bounding_f64screw_memory>(); lyapunov_force_bounding_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_force_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_force_bounding_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_force_bounding_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_force_bounding_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_force_bounding_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_force_bounding_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const ForceBounding &a, const ForceBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const ForceBounding &a, const ForceBounding &b) noexcept { return !(a == b); }
-    lyapunov_force_bounding_f64screw storage{};
 };
 
 /* Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 template <class Signal> class Tank;
 
-template <> class Tank<float> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f32)
+template <> class Tank<float> : public detail::Account<lyapunov_tank_f32> {
 public:
-    using Parameters = lyapunov_tank_f32_parameters;
-    using Memory = lyapunov_tank_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_tank_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32_memory>(); lyapunov_tank_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f32_memory &memory) noexcept { return Status(lyapunov_tank_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_tank_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_tank_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f32 storage{};
 };
 
-template <> class Tank<double> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f64)
+template <> class Tank<double> : public detail::Account<lyapunov_tank_f64> {
 public:
-    using Parameters = lyapunov_tank_f64_parameters;
-    using Memory = lyapunov_tank_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_tank_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64_memory>(); lyapunov_tank_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f64_memory &memory) noexcept { return Status(lyapunov_tank_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_tank_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_tank_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f64 storage{};
 };
 
-template <> class Tank<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f32x3)
+template <> class Tank<Axes<float, 3>> : public detail::Account<lyapunov_tank_f32x3> {
 public:
-    using Parameters = lyapunov_tank_f32x3_parameters;
-    using Memory = lyapunov_tank_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x3_memory>(); lyapunov_tank_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_tank_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_tank_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_tank_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f32x3 storage{};
 };
 
-template <> class Tank<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f64x3)
+template <> class Tank<Axes<double, 3>> : public detail::Account<lyapunov_tank_f64x3> {
 public:
-    using Parameters = lyapunov_tank_f64x3_parameters;
-    using Memory = lyapunov_tank_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x3_memory>(); lyapunov_tank_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_tank_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_tank_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_tank_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f64x3 storage{};
 };
 
-template <> class Tank<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f32x6)
+template <> class Tank<Axes<float, 6>> : public detail::Account<lyapunov_tank_f32x6> {
 public:
-    using Parameters = lyapunov_tank_f32x6_parameters;
-    using Memory = lyapunov_tank_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32x6_memory>(); lyapunov_tank_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_tank_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_tank_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_tank_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f32x6 storage{};
 };
 
-template <> class Tank<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f64x6)
+template <> class Tank<Axes<double, 6>> : public detail::Account<lyapunov_tank_f64x6> {
 public:
-    using Parameters = lyapunov_tank_f64x6_parameters;
-    using Memory = lyapunov_tank_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_tank_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64x6_memory>(); lyapunov_tank_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_tank_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_tank_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_tank_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f64x6 storage{};
 };
 
-template <> class Tank<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f32screw)
+template <> class Tank<Screw<float>> : public detail::Account<lyapunov_tank_f32screw> {
 public:
-    using Parameters = lyapunov_tank_f32screw_parameters;
-    using Memory = lyapunov_tank_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f32screw_memory>(); lyapunov_tank_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_tank_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_tank_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_tank_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_tank_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_tank_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f32screw storage{};
 };
 
-template <> class Tank<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_tank_f64screw)
+template <> class Tank<Screw<double>> : public detail::Account<lyapunov_tank_f64screw> {
 public:
-    using Parameters = lyapunov_tank_f64screw_parameters;
-    using Memory = lyapunov_tank_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_tank_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_tank_f64screw_memory>(); lyapunov_tank_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_tank_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_tank_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_tank_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_tank_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_tank_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_tank_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Tank &a, const Tank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Tank &a, const Tank &b) noexcept { return !(a == b); }
-    lyapunov_tank_f64screw storage{};
 };
 
 /* Energy tank with a port (EnergyTank): filled by what your controller dissipates, it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no samples. */
 template <class Signal> class EnergyTank;
 
-template <> class EnergyTank<float> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f32)
+template <> class EnergyTank<float> : public detail::Block<lyapunov_energy_tank_f32> {
 public:
-    using Parameters = lyapunov_energy_tank_f32_parameters;
-    using Memory = lyapunov_energy_tank_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32_memory>(); lyapunov_energy_tank_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f32_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     float pass(float period, float dissipated, float wished, float flow) noexcept { auto passed = detail::unanswered<float>(); lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f32 storage{};
 };
 
-template <> class EnergyTank<double> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f64)
+template <> class EnergyTank<double> : public detail::Block<lyapunov_energy_tank_f64> {
 public:
-    using Parameters = lyapunov_energy_tank_f64_parameters;
-    using Memory = lyapunov_energy_tank_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64_memory>(); lyapunov_energy_tank_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f64_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     double pass(double period, double dissipated, double wished, double flow) noexcept { auto passed = detail::unanswered<double>(); lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f64 storage{};
 };
 
-template <> class EnergyTank<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f32x3)
+template <> class EnergyTank<Axes<float, 3>> : public detail::Block<lyapunov_energy_tank_f32x3> {
 public:
-    using Parameters = lyapunov_energy_tank_f32x3_parameters;
-    using Memory = lyapunov_energy_tank_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x3_memory>(); lyapunov_energy_tank_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x3_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); auto passed = detail::unanswered<lyapunov_f32x3>(); lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x3_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f32x3 storage{};
 };
 
-template <> class EnergyTank<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f64x3)
+template <> class EnergyTank<Axes<double, 3>> : public detail::Block<lyapunov_energy_tank_f64x3> {
 public:
-    using Parameters = lyapunov_energy_tank_f64x3_parameters;
-    using Memory = lyapunov_energy_tank_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x3_memory>(); lyapunov_energy_tank_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x3_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); auto passed = detail::unanswered<lyapunov_f64x3>(); lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x3_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f64x3 storage{};
 };
 
-template <> class EnergyTank<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f32x6)
+template <> class EnergyTank<Axes<float, 6>> : public detail::Block<lyapunov_energy_tank_f32x6> {
 public:
-    using Parameters = lyapunov_energy_tank_f32x6_parameters;
-    using Memory = lyapunov_energy_tank_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32x6_memory>(); lyapunov_energy_tank_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32x6_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); auto passed = detail::unanswered<lyapunov_f32x6>(); lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32x6_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f32x6 storage{};
 };
 
-template <> class EnergyTank<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f64x6)
+template <> class EnergyTank<Axes<double, 6>> : public detail::Block<lyapunov_energy_tank_f64x6> {
 public:
-    using Parameters = lyapunov_energy_tank_f64x6_parameters;
-    using Memory = lyapunov_energy_tank_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64x6_memory>(); lyapunov_energy_tank_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64x6_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); auto passed = detail::unanswered<lyapunov_f64x6>(); lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64x6_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f64x6 storage{};
 };
 
-template <> class EnergyTank<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f32screw)
+template <> class EnergyTank<Screw<float>> : public detail::Block<lyapunov_energy_tank_f32screw> {
 public:
-    using Parameters = lyapunov_energy_tank_f32screw_parameters;
-    using Memory = lyapunov_energy_tank_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f32screw_memory>(); lyapunov_energy_tank_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f32screw_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); auto passed = detail::unanswered<lyapunov_f32screw>(); lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     float energy() const noexcept { return lyapunov_energy_tank_f32screw_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f32screw storage{};
 };
 
-template <> class EnergyTank<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_energy_tank_f64screw)
+template <> class EnergyTank<Screw<double>> : public detail::Block<lyapunov_energy_tank_f64screw> {
 public:
-    using Parameters = lyapunov_energy_tank_f64screw_parameters;
-    using Memory = lyapunov_energy_tank_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_tank_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_tank_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_tank_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_tank_f64screw_memory>(); lyapunov_energy_tank_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_tank_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_tank_f64screw_restore(&storage, &memory)); }
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); auto passed = detail::unanswered<lyapunov_f64screw>(); lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
     /* The energy in it, J; NaN if the storage is not initialised. */
     double energy() const noexcept { return lyapunov_energy_tank_f64screw_energy(&storage); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyTank &a, const EnergyTank &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyTank &a, const EnergyTank &b) noexcept { return !(a == b); }
-    lyapunov_energy_tank_f64screw storage{};
 };
 
 /* Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 template <class Signal> class EnergyBounding;
 
-template <> class EnergyBounding<float> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32)
+template <> class EnergyBounding<float> : public detail::Account<lyapunov_energy_bounding_f32> {
 public:
-    using Parameters = lyapunov_energy_bounding_f32_parameters;
-    using Memory = lyapunov_energy_bounding_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32_memory>(); lyapunov_energy_bounding_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f32_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_energy_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f32 storage{};
 };
 
-template <> class EnergyBounding<double> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64)
+template <> class EnergyBounding<double> : public detail::Account<lyapunov_energy_bounding_f64> {
 public:
-    using Parameters = lyapunov_energy_bounding_f64_parameters;
-    using Memory = lyapunov_energy_bounding_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64_memory>(); lyapunov_energy_bounding_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f64_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_energy_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f64 storage{};
 };
 
-template <> class EnergyBounding<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32x3)
+template <> class EnergyBounding<Axes<float, 3>> : public detail::Account<lyapunov_energy_bounding_f32x3> {
 public:
-    using Parameters = lyapunov_energy_bounding_f32x3_parameters;
-    using Memory = lyapunov_energy_bounding_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x3_memory>(); lyapunov_energy_bounding_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_energy_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f32x3 storage{};
 };
 
-template <> class EnergyBounding<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64x3)
+template <> class EnergyBounding<Axes<double, 3>> : public detail::Account<lyapunov_energy_bounding_f64x3> {
 public:
-    using Parameters = lyapunov_energy_bounding_f64x3_parameters;
-    using Memory = lyapunov_energy_bounding_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x3_memory>(); lyapunov_energy_bounding_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_energy_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f64x3 storage{};
 };
 
-template <> class EnergyBounding<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32x6)
+template <> class EnergyBounding<Axes<float, 6>> : public detail::Account<lyapunov_energy_bounding_f32x6> {
 public:
-    using Parameters = lyapunov_energy_bounding_f32x6_parameters;
-    using Memory = lyapunov_energy_bounding_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32x6_memory>(); lyapunov_energy_bounding_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_energy_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f32x6 storage{};
 };
 
-template <> class EnergyBounding<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64x6)
+template <> class EnergyBounding<Axes<double, 6>> : public detail::Account<lyapunov_energy_bounding_f64x6> {
 public:
-    using Parameters = lyapunov_energy_bounding_f64x6_parameters;
-    using Memory = lyapunov_energy_bounding_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64x6_memory>(); lyapunov_energy_bounding_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_energy_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f64x6 storage{};
 };
 
-template <> class EnergyBounding<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32screw)
+template <> class EnergyBounding<Screw<float>> : public detail::Account<lyapunov_energy_bounding_f32screw> {
 public:
-    using Parameters = lyapunov_energy_bounding_f32screw_parameters;
-    using Memory = lyapunov_energy_bounding_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f32screw_memory>(); lyapunov_energy_bounding_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_energy_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_energy_bounding_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_energy_bounding_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_energy_bounding_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f32screw storage{};
 };
 
-template <> class EnergyBounding<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64screw)
+template <> class EnergyBounding<Screw<double>> : public detail::Account<lyapunov_energy_bounding_f64screw> {
 public:
-    using Parameters = lyapunov_energy_bounding_f64screw_parameters;
-    using Memory = lyapunov_energy_bounding_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_bounding_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_bounding_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_bounding_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_bounding_f64screw_memory>(); lyapunov_energy_bounding_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_bounding_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_bounding_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_energy_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_energy_bounding_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_energy_bounding_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_energy_bounding_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_energy_bounding_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyBounding &a, const EnergyBounding &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyBounding &a, const EnergyBounding &b) noexcept { return !(a == b); }
-    lyapunov_energy_bounding_f64screw storage{};
 };
 
 /* Least-norm filter (LeastNorm): the least damping that keeps the observed energy above a decaying barrier. */
 template <class Signal> class LeastNorm;
 
-template <> class LeastNorm<float> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32)
+template <> class LeastNorm<float> : public detail::Account<lyapunov_least_norm_f32> {
 public:
-    using Parameters = lyapunov_least_norm_f32_parameters;
-    using Memory = lyapunov_least_norm_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f32_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32_memory>(); lyapunov_least_norm_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f32_memory &memory) noexcept { return Status(lyapunov_least_norm_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_least_norm_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_least_norm_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f32 storage{};
 };
 
-template <> class LeastNorm<double> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64)
+template <> class LeastNorm<double> : public detail::Account<lyapunov_least_norm_f64> {
 public:
-    using Parameters = lyapunov_least_norm_f64_parameters;
-    using Memory = lyapunov_least_norm_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f64_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64_memory>(); lyapunov_least_norm_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f64_memory &memory) noexcept { return Status(lyapunov_least_norm_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_least_norm_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_least_norm_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f64 storage{};
 };
 
-template <> class LeastNorm<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32x3)
+template <> class LeastNorm<Axes<float, 3>> : public detail::Account<lyapunov_least_norm_f32x3> {
 public:
-    using Parameters = lyapunov_least_norm_f32x3_parameters;
-    using Memory = lyapunov_least_norm_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f32x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x3_memory>(); lyapunov_least_norm_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f32x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_least_norm_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_least_norm_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f32x3 storage{};
 };
 
-template <> class LeastNorm<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64x3)
+template <> class LeastNorm<Axes<double, 3>> : public detail::Account<lyapunov_least_norm_f64x3> {
 public:
-    using Parameters = lyapunov_least_norm_f64x3_parameters;
-    using Memory = lyapunov_least_norm_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f64x3_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x3_memory>(); lyapunov_least_norm_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f64x3_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_least_norm_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_least_norm_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f64x3 storage{};
 };
 
-template <> class LeastNorm<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32x6)
+template <> class LeastNorm<Axes<float, 6>> : public detail::Account<lyapunov_least_norm_f32x6> {
 public:
-    using Parameters = lyapunov_least_norm_f32x6_parameters;
-    using Memory = lyapunov_least_norm_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f32x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32x6_memory>(); lyapunov_least_norm_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f32x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_least_norm_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_least_norm_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f32x6 storage{};
 };
 
-template <> class LeastNorm<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64x6)
+template <> class LeastNorm<Axes<double, 6>> : public detail::Account<lyapunov_least_norm_f64x6> {
 public:
-    using Parameters = lyapunov_least_norm_f64x6_parameters;
-    using Memory = lyapunov_least_norm_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f64x6_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64x6_memory>(); lyapunov_least_norm_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f64x6_memory &memory) noexcept { return Status(lyapunov_least_norm_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_least_norm_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_least_norm_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f64x6 storage{};
 };
 
-template <> class LeastNorm<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32screw)
+template <> class LeastNorm<Screw<float>> : public detail::Account<lyapunov_least_norm_f32screw> {
 public:
-    using Parameters = lyapunov_least_norm_f32screw_parameters;
-    using Memory = lyapunov_least_norm_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f32screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f32screw_memory>(); lyapunov_least_norm_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f32screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_least_norm_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_least_norm_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_least_norm_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_least_norm_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f32screw storage{};
 };
 
-template <> class LeastNorm<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64screw)
+template <> class LeastNorm<Screw<double>> : public detail::Account<lyapunov_least_norm_f64screw> {
 public:
-    using Parameters = lyapunov_least_norm_f64screw_parameters;
-    using Memory = lyapunov_least_norm_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_least_norm_f64screw_parameters &parameters) noexcept { return Status(lyapunov_least_norm_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_least_norm_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_least_norm_f64screw_memory>(); lyapunov_least_norm_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_least_norm_f64screw_memory &memory) noexcept { return Status(lyapunov_least_norm_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_least_norm_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_least_norm_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_least_norm_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_least_norm_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_least_norm_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const LeastNorm &a, const LeastNorm &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const LeastNorm &a, const LeastNorm &b) noexcept { return !(a == b); }
-    lyapunov_least_norm_f64screw storage{};
 };
 
 /* Slope bound (SlopeBound): efforts change no faster with the displacement than a slope. */
 template <class Signal> class SlopeBound;
 
-template <> class SlopeBound<float> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32)
+template <> class SlopeBound<float> : public detail::Account<lyapunov_slope_bound_f32> {
 public:
-    using Parameters = lyapunov_slope_bound_f32_parameters;
-    using Memory = lyapunov_slope_bound_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f32_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32_memory>(); lyapunov_slope_bound_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f32_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_slope_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_slope_bound_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f32 storage{};
 };
 
-template <> class SlopeBound<double> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64)
+template <> class SlopeBound<double> : public detail::Account<lyapunov_slope_bound_f64> {
 public:
-    using Parameters = lyapunov_slope_bound_f64_parameters;
-    using Memory = lyapunov_slope_bound_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f64_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64_memory>(); lyapunov_slope_bound_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f64_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_slope_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_slope_bound_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f64 storage{};
 };
 
-template <> class SlopeBound<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32x3)
+template <> class SlopeBound<Axes<float, 3>> : public detail::Account<lyapunov_slope_bound_f32x3> {
 public:
-    using Parameters = lyapunov_slope_bound_f32x3_parameters;
-    using Memory = lyapunov_slope_bound_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f32x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x3_memory>(); lyapunov_slope_bound_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f32x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_slope_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_slope_bound_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f32x3 storage{};
 };
 
-template <> class SlopeBound<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64x3)
+template <> class SlopeBound<Axes<double, 3>> : public detail::Account<lyapunov_slope_bound_f64x3> {
 public:
-    using Parameters = lyapunov_slope_bound_f64x3_parameters;
-    using Memory = lyapunov_slope_bound_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f64x3_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x3_memory>(); lyapunov_slope_bound_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f64x3_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_slope_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_slope_bound_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64x3_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f64x3 storage{};
 };
 
-template <> class SlopeBound<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32x6)
+template <> class SlopeBound<Axes<float, 6>> : public detail::Account<lyapunov_slope_bound_f32x6> {
 public:
-    using Parameters = lyapunov_slope_bound_f32x6_parameters;
-    using Memory = lyapunov_slope_bound_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f32x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32x6_memory>(); lyapunov_slope_bound_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f32x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_slope_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_slope_bound_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f32x6 storage{};
 };
 
-template <> class SlopeBound<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64x6)
+template <> class SlopeBound<Axes<double, 6>> : public detail::Account<lyapunov_slope_bound_f64x6> {
 public:
-    using Parameters = lyapunov_slope_bound_f64x6_parameters;
-    using Memory = lyapunov_slope_bound_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f64x6_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64x6_memory>(); lyapunov_slope_bound_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f64x6_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_slope_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_slope_bound_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64x6_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f64x6 storage{};
 };
 
-template <> class SlopeBound<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32screw)
+template <> class SlopeBound<Screw<float>> : public detail::Account<lyapunov_slope_bound_f32screw> {
 public:
-    using Parameters = lyapunov_slope_bound_f32screw_parameters;
-    using Memory = lyapunov_slope_bound_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f32screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f32screw_memory>(); lyapunov_slope_bound_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f32screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_slope_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_slope_bound_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_slope_bound_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_slope_bound_f32screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f32screw storage{};
 };
 
-template <> class SlopeBound<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64screw)
+template <> class SlopeBound<Screw<double>> : public detail::Account<lyapunov_slope_bound_f64screw> {
 public:
-    using Parameters = lyapunov_slope_bound_f64screw_parameters;
-    using Memory = lyapunov_slope_bound_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_slope_bound_f64screw_parameters &parameters) noexcept { return Status(lyapunov_slope_bound_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_slope_bound_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_slope_bound_f64screw_memory>(); lyapunov_slope_bound_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_slope_bound_f64screw_memory &memory) noexcept { return Status(lyapunov_slope_bound_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_slope_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_slope_bound_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_slope_bound_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_slope_bound_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_slope_bound_f64screw_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const SlopeBound &a, const SlopeBound &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const SlopeBound &a, const SlopeBound &b) noexcept { return !(a == b); }
-    lyapunov_slope_bound_f64screw storage{};
 };
 
 /* Memory-based passivation (MemoryBased): forces on the way out no larger than those kept from the way in, in 64 cells. */
 template <class Signal> class MemoryBased;
 
-template <> class MemoryBased<float> {
+LYAPUNOV_ACCOUNT(lyapunov_memory_based_f32)
+template <> class MemoryBased<float> : public detail::Account<lyapunov_memory_based_f32> {
 public:
-    using Parameters = lyapunov_memory_based_f32_parameters;
-    using Memory = lyapunov_memory_based_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_memory_based_f32_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_memory_based_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f32_memory>(); lyapunov_memory_based_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_memory_based_f32_memory &memory) noexcept { return Status(lyapunov_memory_based_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_memory_based_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_memory_based_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_memory_based_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_memory_based_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_memory_based_f32_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const MemoryBased &a, const MemoryBased &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const MemoryBased &a, const MemoryBased &b) noexcept { return !(a == b); }
-    lyapunov_memory_based_f32 storage{};
 };
 
-template <> class MemoryBased<double> {
+LYAPUNOV_ACCOUNT(lyapunov_memory_based_f64)
+template <> class MemoryBased<double> : public detail::Account<lyapunov_memory_based_f64> {
 public:
-    using Parameters = lyapunov_memory_based_f64_parameters;
-    using Memory = lyapunov_memory_based_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_memory_based_f64_parameters &parameters) noexcept { return Status(lyapunov_memory_based_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_memory_based_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_memory_based_f64_memory>(); lyapunov_memory_based_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_memory_based_f64_memory &memory) noexcept { return Status(lyapunov_memory_based_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_memory_based_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_memory_based_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_memory_based_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_memory_based_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_memory_based_f64_owe(&storage, debt)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const MemoryBased &a, const MemoryBased &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const MemoryBased &a, const MemoryBased &b) noexcept { return !(a == b); }
-    lyapunov_memory_based_f64 storage{};
 };
 
 /* Path memory (PathMemory): energies on the way out no larger than those kept from the way in, in 64 cells. */
 template <class Signal> class PathMemory;
 
-template <> class PathMemory<float> {
+LYAPUNOV_BLOCK(lyapunov_path_memory_f32)
+template <> class PathMemory<float> : public detail::Block<lyapunov_path_memory_f32> {
 public:
-    using Parameters = lyapunov_path_memory_f32_parameters;
-    using Memory = lyapunov_path_memory_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_path_memory_f32_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_path_memory_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f32_memory>(); lyapunov_path_memory_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_path_memory_f32_memory &memory) noexcept { return Status(lyapunov_path_memory_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_path_memory_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
-    lyapunov_path_memory_f32 storage{};
 };
 
-template <> class PathMemory<double> {
+LYAPUNOV_BLOCK(lyapunov_path_memory_f64)
+template <> class PathMemory<double> : public detail::Block<lyapunov_path_memory_f64> {
 public:
-    using Parameters = lyapunov_path_memory_f64_parameters;
-    using Memory = lyapunov_path_memory_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_path_memory_f64_parameters &parameters) noexcept { return Status(lyapunov_path_memory_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_path_memory_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_path_memory_f64_memory>(); lyapunov_path_memory_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_path_memory_f64_memory &memory) noexcept { return Status(lyapunov_path_memory_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const PathMemory &a, const PathMemory &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const PathMemory &a, const PathMemory &b) noexcept { return !(a == b); }
-    lyapunov_path_memory_f64 storage{};
 };
 
 /* Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came. */
 template <class Signal> class TwoPortSide;
 
-template <> class TwoPortSide<float> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32)
+template <> class TwoPortSide<float> : public detail::Account<lyapunov_two_port_side_f32> {
 public:
-    using Parameters = lyapunov_two_port_side_f32_parameters;
-    using Memory = lyapunov_two_port_side_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f32_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32_memory>(); lyapunov_two_port_side_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f32_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_port_side_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f32 storage{};
 };
 
-template <> class TwoPortSide<double> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64)
+template <> class TwoPortSide<double> : public detail::Account<lyapunov_two_port_side_f64> {
 public:
-    using Parameters = lyapunov_two_port_side_f64_parameters;
-    using Memory = lyapunov_two_port_side_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f64_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64_memory>(); lyapunov_two_port_side_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f64_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_port_side_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f64 storage{};
 };
 
-template <> class TwoPortSide<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32x3)
+template <> class TwoPortSide<Axes<float, 3>> : public detail::Account<lyapunov_two_port_side_f32x3> {
 public:
-    using Parameters = lyapunov_two_port_side_f32x3_parameters;
-    using Memory = lyapunov_two_port_side_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x3_memory>(); lyapunov_two_port_side_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f32x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_port_side_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32x3_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x3_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x3_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f32x3 storage{};
 };
 
-template <> class TwoPortSide<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64x3)
+template <> class TwoPortSide<Axes<double, 3>> : public detail::Account<lyapunov_two_port_side_f64x3> {
 public:
-    using Parameters = lyapunov_two_port_side_f64x3_parameters;
-    using Memory = lyapunov_two_port_side_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x3_memory>(); lyapunov_two_port_side_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f64x3_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_port_side_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64x3_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x3_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x3_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f64x3 storage{};
 };
 
-template <> class TwoPortSide<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32x6)
+template <> class TwoPortSide<Axes<float, 6>> : public detail::Account<lyapunov_two_port_side_f32x6> {
 public:
-    using Parameters = lyapunov_two_port_side_f32x6_parameters;
-    using Memory = lyapunov_two_port_side_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32x6_memory>(); lyapunov_two_port_side_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f32x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_port_side_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32x6_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x6_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x6_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f32x6 storage{};
 };
 
-template <> class TwoPortSide<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64x6)
+template <> class TwoPortSide<Axes<double, 6>> : public detail::Account<lyapunov_two_port_side_f64x6> {
 public:
-    using Parameters = lyapunov_two_port_side_f64x6_parameters;
-    using Memory = lyapunov_two_port_side_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64x6_memory>(); lyapunov_two_port_side_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f64x6_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_port_side_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64x6_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x6_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x6_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f64x6 storage{};
 };
 
-template <> class TwoPortSide<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32screw)
+template <> class TwoPortSide<Screw<float>> : public detail::Account<lyapunov_two_port_side_f32screw> {
 public:
-    using Parameters = lyapunov_two_port_side_f32screw_parameters;
-    using Memory = lyapunov_two_port_side_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f32screw_memory>(); lyapunov_two_port_side_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f32screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_port_side_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_port_side_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_port_side_f32screw_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32screw_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32screw_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f32screw storage{};
 };
 
-template <> class TwoPortSide<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64screw)
+template <> class TwoPortSide<Screw<double>> : public detail::Account<lyapunov_two_port_side_f64screw> {
 public:
-    using Parameters = lyapunov_two_port_side_f64screw_parameters;
-    using Memory = lyapunov_two_port_side_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_port_side_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_port_side_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_port_side_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_port_side_f64screw_memory>(); lyapunov_two_port_side_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_port_side_f64screw_memory &memory) noexcept { return Status(lyapunov_two_port_side_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_port_side_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_port_side_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_port_side_f64screw_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64screw_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoPortSide &a, const TwoPortSide &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoPortSide &a, const TwoPortSide &b) noexcept { return !(a == b); }
-    lyapunov_two_port_side_f64screw storage{};
 };
 
 /* Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated). */
 template <class Signal> class DriftCompensated;
 
-template <> class DriftCompensated<float> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32)
+template <> class DriftCompensated<float> : public detail::Account<lyapunov_drift_compensated_f32> {
 public:
-    using Parameters = lyapunov_drift_compensated_f32_parameters;
-    using Memory = lyapunov_drift_compensated_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f32_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32_memory>(); lyapunov_drift_compensated_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f32_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f32 storage{};
 };
 
-template <> class DriftCompensated<double> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64)
+template <> class DriftCompensated<double> : public detail::Account<lyapunov_drift_compensated_f64> {
 public:
-    using Parameters = lyapunov_drift_compensated_f64_parameters;
-    using Memory = lyapunov_drift_compensated_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f64_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64_memory>(); lyapunov_drift_compensated_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f64_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f64 storage{};
 };
 
-template <> class DriftCompensated<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32x3)
+template <> class DriftCompensated<Axes<float, 3>> : public detail::Account<lyapunov_drift_compensated_f32x3> {
 public:
-    using Parameters = lyapunov_drift_compensated_f32x3_parameters;
-    using Memory = lyapunov_drift_compensated_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f32x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x3_memory>(); lyapunov_drift_compensated_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f32x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32x3_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x3_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x3_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f32x3 storage{};
 };
 
-template <> class DriftCompensated<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64x3)
+template <> class DriftCompensated<Axes<double, 3>> : public detail::Account<lyapunov_drift_compensated_f64x3> {
 public:
-    using Parameters = lyapunov_drift_compensated_f64x3_parameters;
-    using Memory = lyapunov_drift_compensated_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f64x3_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x3_memory>(); lyapunov_drift_compensated_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f64x3_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64x3_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x3_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x3_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f64x3 storage{};
 };
 
-template <> class DriftCompensated<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32x6)
+template <> class DriftCompensated<Axes<float, 6>> : public detail::Account<lyapunov_drift_compensated_f32x6> {
 public:
-    using Parameters = lyapunov_drift_compensated_f32x6_parameters;
-    using Memory = lyapunov_drift_compensated_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f32x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32x6_memory>(); lyapunov_drift_compensated_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f32x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32x6_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x6_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x6_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f32x6 storage{};
 };
 
-template <> class DriftCompensated<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64x6)
+template <> class DriftCompensated<Axes<double, 6>> : public detail::Account<lyapunov_drift_compensated_f64x6> {
 public:
-    using Parameters = lyapunov_drift_compensated_f64x6_parameters;
-    using Memory = lyapunov_drift_compensated_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f64x6_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64x6_memory>(); lyapunov_drift_compensated_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f64x6_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64x6_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x6_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x6_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f64x6 storage{};
 };
 
-template <> class DriftCompensated<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32screw)
+template <> class DriftCompensated<Screw<float>> : public detail::Account<lyapunov_drift_compensated_f32screw> {
 public:
-    using Parameters = lyapunov_drift_compensated_f32screw_parameters;
-    using Memory = lyapunov_drift_compensated_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f32screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f32screw_memory>(); lyapunov_drift_compensated_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f32screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_drift_compensated_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_drift_compensated_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_drift_compensated_f32screw_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32screw_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32screw_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f32screw storage{};
 };
 
-template <> class DriftCompensated<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64screw)
+template <> class DriftCompensated<Screw<double>> : public detail::Account<lyapunov_drift_compensated_f64screw> {
 public:
-    using Parameters = lyapunov_drift_compensated_f64screw_parameters;
-    using Memory = lyapunov_drift_compensated_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_drift_compensated_f64screw_parameters &parameters) noexcept { return Status(lyapunov_drift_compensated_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_drift_compensated_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_drift_compensated_f64screw_memory>(); lyapunov_drift_compensated_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_drift_compensated_f64screw_memory &memory) noexcept { return Status(lyapunov_drift_compensated_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_drift_compensated_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_drift_compensated_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_drift_compensated_f64screw_owe(&storage, debt)); }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64screw_absorbed(&storage); }
     /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64screw_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const DriftCompensated &a, const DriftCompensated &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const DriftCompensated &a, const DriftCompensated &b) noexcept { return !(a == b); }
-    lyapunov_drift_compensated_f64screw storage{};
 };
 
 /* Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and give `receive` what came. A slave has a level and a gain of 0. */
 template <class Signal> class TwoLayer;
 
-template <> class TwoLayer<float> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32)
+template <> class TwoLayer<float> : public detail::Account<lyapunov_two_layer_f32> {
 public:
-    using Parameters = lyapunov_two_layer_f32_parameters;
-    using Memory = lyapunov_two_layer_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f32_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32_memory>(); lyapunov_two_layer_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f32_memory &memory) noexcept { return Status(lyapunov_two_layer_f32_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_layer_f32_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f32 storage{};
 };
 
-template <> class TwoLayer<double> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64)
+template <> class TwoLayer<double> : public detail::Account<lyapunov_two_layer_f64> {
 public:
-    using Parameters = lyapunov_two_layer_f64_parameters;
-    using Memory = lyapunov_two_layer_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f64_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64_memory>(); lyapunov_two_layer_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f64_memory &memory) noexcept { return Status(lyapunov_two_layer_f64_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_layer_f64_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f64 storage{};
 };
 
-template <> class TwoLayer<Axes<float, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32x3)
+template <> class TwoLayer<Axes<float, 3>> : public detail::Account<lyapunov_two_layer_f32x3> {
 public:
-    using Parameters = lyapunov_two_layer_f32x3_parameters;
-    using Memory = lyapunov_two_layer_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x3_memory>(); lyapunov_two_layer_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f32x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_layer_f32x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32x3_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x3_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x3_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f32x3 storage{};
 };
 
-template <> class TwoLayer<Axes<double, 3>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64x3)
+template <> class TwoLayer<Axes<double, 3>> : public detail::Account<lyapunov_two_layer_f64x3> {
 public:
-    using Parameters = lyapunov_two_layer_f64x3_parameters;
-    using Memory = lyapunov_two_layer_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x3_memory>(); lyapunov_two_layer_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f64x3_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x3_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_layer_f64x3_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64x3_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64x3_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64x3_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x3_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x3_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f64x3 storage{};
 };
 
-template <> class TwoLayer<Axes<float, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32x6)
+template <> class TwoLayer<Axes<float, 6>> : public detail::Account<lyapunov_two_layer_f32x6> {
 public:
-    using Parameters = lyapunov_two_layer_f32x6_parameters;
-    using Memory = lyapunov_two_layer_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32x6_memory>(); lyapunov_two_layer_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f32x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f32x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_layer_f32x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32x6_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x6_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x6_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f32x6 storage{};
 };
 
-template <> class TwoLayer<Axes<double, 6>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64x6)
+template <> class TwoLayer<Axes<double, 6>> : public detail::Account<lyapunov_two_layer_f64x6> {
 public:
-    using Parameters = lyapunov_two_layer_f64x6_parameters;
-    using Memory = lyapunov_two_layer_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64x6_memory>(); lyapunov_two_layer_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f64x6_memory &memory) noexcept { return Status(lyapunov_two_layer_f64x6_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_layer_f64x6_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64x6_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64x6_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64x6_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x6_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x6_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f64x6 storage{};
 };
 
-template <> class TwoLayer<Screw<float>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32screw)
+template <> class TwoLayer<Screw<float>> : public detail::Account<lyapunov_two_layer_f32screw> {
 public:
-    using Parameters = lyapunov_two_layer_f32screw_parameters;
-    using Memory = lyapunov_two_layer_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f32screw_memory>(); lyapunov_two_layer_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f32screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f32screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    float observed_energy() const noexcept { return lyapunov_two_layer_f32screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f32screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(float energy) noexcept { return Status(lyapunov_two_layer_f32screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(float debt) noexcept { return Status(lyapunov_two_layer_f32screw_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32screw_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32screw_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f32screw storage{};
 };
 
-template <> class TwoLayer<Screw<double>> {
+LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64screw)
+template <> class TwoLayer<Screw<double>> : public detail::Account<lyapunov_two_layer_f64screw> {
 public:
-    using Parameters = lyapunov_two_layer_f64screw_parameters;
-    using Memory = lyapunov_two_layer_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_two_layer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_two_layer_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_two_layer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_two_layer_f64screw_memory>(); lyapunov_two_layer_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_two_layer_f64screw_memory &memory) noexcept { return Status(lyapunov_two_layer_f64screw_restore(&storage, &memory)); }
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
-    /* The observed energy, J; NaN if the storage is not initialised. */
-    double observed_energy() const noexcept { return lyapunov_two_layer_f64screw_observed_energy(&storage); }
-    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
-    Code reset() noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_reset(&storage)); }
-    /* Adds as many joules of credit that were not absorbed. */
-    Status grant(double energy) noexcept { return Status(lyapunov_two_layer_f64screw_grant(&storage, energy)); }
-    /* Adds a debt of as many joules. */
-    Status owe(double debt) noexcept { return Status(lyapunov_two_layer_f64screw_owe(&storage, debt)); }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64screw_sent(&storage); }
     /* What the other side said it sent, J. Packets may come late, twice or not at all. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_receive(&storage, energy)); }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const TwoLayer &a, const TwoLayer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const TwoLayer &a, const TwoLayer &b) noexcept { return !(a == b); }
-    lyapunov_two_layer_f64screw storage{};
 };
 
 /* Wave transformation (WaveTransform): waves of a flow and an effort, and the other way round. It has no memory, and what is not finite comes out so. */
 template <class Signal> class WaveTransform;
 
-template <> class WaveTransform<float> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f32)
+template <> class WaveTransform<float> : public detail::Block<lyapunov_wave_transform_f32> {
 public:
-    using Parameters = lyapunov_wave_transform_f32_parameters;
-    using Memory = lyapunov_wave_transform_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32_memory>(); lyapunov_wave_transform_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f32_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f32 encode(float flow, float effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8358,24 +2838,11 @@ public:
     lyapunov_wave_f32 effort(float flow, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f32 flow(float effort, float there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f32 storage{};
 };
 
-template <> class WaveTransform<double> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f64)
+template <> class WaveTransform<double> : public detail::Block<lyapunov_wave_transform_f64> {
 public:
-    using Parameters = lyapunov_wave_transform_f64_parameters;
-    using Memory = lyapunov_wave_transform_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64_memory>(); lyapunov_wave_transform_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f64_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f64 encode(double flow, double effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8384,24 +2851,11 @@ public:
     lyapunov_wave_f64 effort(double flow, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f64 flow(double effort, double there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f64 storage{};
 };
 
-template <> class WaveTransform<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f32x3)
+template <> class WaveTransform<Axes<float, 3>> : public detail::Block<lyapunov_wave_transform_f32x3> {
 public:
-    using Parameters = lyapunov_wave_transform_f32x3_parameters;
-    using Memory = lyapunov_wave_transform_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x3_memory>(); lyapunov_wave_transform_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x3_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8410,24 +2864,11 @@ public:
     lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f32x3 storage{};
 };
 
-template <> class WaveTransform<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f64x3)
+template <> class WaveTransform<Axes<double, 3>> : public detail::Block<lyapunov_wave_transform_f64x3> {
 public:
-    using Parameters = lyapunov_wave_transform_f64x3_parameters;
-    using Memory = lyapunov_wave_transform_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x3_memory>(); lyapunov_wave_transform_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x3_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8436,24 +2877,11 @@ public:
     lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f64x3 storage{};
 };
 
-template <> class WaveTransform<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f32x6)
+template <> class WaveTransform<Axes<float, 6>> : public detail::Block<lyapunov_wave_transform_f32x6> {
 public:
-    using Parameters = lyapunov_wave_transform_f32x6_parameters;
-    using Memory = lyapunov_wave_transform_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32x6_memory>(); lyapunov_wave_transform_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32x6_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8462,24 +2890,11 @@ public:
     lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f32x6 storage{};
 };
 
-template <> class WaveTransform<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f64x6)
+template <> class WaveTransform<Axes<double, 6>> : public detail::Block<lyapunov_wave_transform_f64x6> {
 public:
-    using Parameters = lyapunov_wave_transform_f64x6_parameters;
-    using Memory = lyapunov_wave_transform_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64x6_memory>(); lyapunov_wave_transform_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64x6_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8488,24 +2903,11 @@ public:
     lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f64x6 storage{};
 };
 
-template <> class WaveTransform<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f32screw)
+template <> class WaveTransform<Screw<float>> : public detail::Block<lyapunov_wave_transform_f32screw> {
 public:
-    using Parameters = lyapunov_wave_transform_f32screw_parameters;
-    using Memory = lyapunov_wave_transform_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f32screw_memory>(); lyapunov_wave_transform_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f32screw_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8514,24 +2916,11 @@ public:
     lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f32screw storage{};
 };
 
-template <> class WaveTransform<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_wave_transform_f64screw)
+template <> class WaveTransform<Screw<double>> : public detail::Block<lyapunov_wave_transform_f64screw> {
 public:
-    using Parameters = lyapunov_wave_transform_f64screw_parameters;
-    using Memory = lyapunov_wave_transform_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_transform_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_transform_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_transform_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_transform_f64screw_memory>(); lyapunov_wave_transform_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_transform_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_transform_f64screw_restore(&storage, &memory)); }
     /* The waves of a flow and an effort. */
     lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
@@ -8540,679 +2929,262 @@ public:
     lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
     lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveTransform &a, const WaveTransform &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveTransform &a, const WaveTransform &b) noexcept { return !(a == b); }
-    lyapunov_wave_transform_f64screw storage{};
 };
 
 /* Low pass in the path of a wave (WaveFilter). */
 template <class Signal> class WaveFilter;
 
-template <> class WaveFilter<float> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f32)
+template <> class WaveFilter<float> : public detail::Block<lyapunov_wave_filter_f32> {
 public:
-    using Parameters = lyapunov_wave_filter_f32_parameters;
-    using Memory = lyapunov_wave_filter_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32_memory>(); lyapunov_wave_filter_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f32_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     float pass(float wave) noexcept { auto sent = detail::unanswered<float>(); lyapunov_wave_filter_f32_pass(&storage, wave, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f32 storage{};
 };
 
-template <> class WaveFilter<double> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f64)
+template <> class WaveFilter<double> : public detail::Block<lyapunov_wave_filter_f64> {
 public:
-    using Parameters = lyapunov_wave_filter_f64_parameters;
-    using Memory = lyapunov_wave_filter_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64_memory>(); lyapunov_wave_filter_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f64_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     double pass(double wave) noexcept { auto sent = detail::unanswered<double>(); lyapunov_wave_filter_f64_pass(&storage, wave, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f64 storage{};
 };
 
-template <> class WaveFilter<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f32x3)
+template <> class WaveFilter<Axes<float, 3>> : public detail::Block<lyapunov_wave_filter_f32x3> {
 public:
-    using Parameters = lyapunov_wave_filter_f32x3_parameters;
-    using Memory = lyapunov_wave_filter_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x3_memory>(); lyapunov_wave_filter_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x3_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f32x3 pass(View<float, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x3>(wave); auto sent = detail::unanswered<lyapunov_f32x3>(); lyapunov_wave_filter_f32x3_pass(&storage, &wave_form, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f32x3 storage{};
 };
 
-template <> class WaveFilter<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f64x3)
+template <> class WaveFilter<Axes<double, 3>> : public detail::Block<lyapunov_wave_filter_f64x3> {
 public:
-    using Parameters = lyapunov_wave_filter_f64x3_parameters;
-    using Memory = lyapunov_wave_filter_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x3_memory>(); lyapunov_wave_filter_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x3_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f64x3 pass(View<double, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x3>(wave); auto sent = detail::unanswered<lyapunov_f64x3>(); lyapunov_wave_filter_f64x3_pass(&storage, &wave_form, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f64x3 storage{};
 };
 
-template <> class WaveFilter<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f32x6)
+template <> class WaveFilter<Axes<float, 6>> : public detail::Block<lyapunov_wave_filter_f32x6> {
 public:
-    using Parameters = lyapunov_wave_filter_f32x6_parameters;
-    using Memory = lyapunov_wave_filter_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32x6_memory>(); lyapunov_wave_filter_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32x6_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f32x6 pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x6>(wave); auto sent = detail::unanswered<lyapunov_f32x6>(); lyapunov_wave_filter_f32x6_pass(&storage, &wave_form, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f32x6 storage{};
 };
 
-template <> class WaveFilter<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f64x6)
+template <> class WaveFilter<Axes<double, 6>> : public detail::Block<lyapunov_wave_filter_f64x6> {
 public:
-    using Parameters = lyapunov_wave_filter_f64x6_parameters;
-    using Memory = lyapunov_wave_filter_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64x6_memory>(); lyapunov_wave_filter_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64x6_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f64x6 pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x6>(wave); auto sent = detail::unanswered<lyapunov_f64x6>(); lyapunov_wave_filter_f64x6_pass(&storage, &wave_form, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f64x6 storage{};
 };
 
-template <> class WaveFilter<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f32screw)
+template <> class WaveFilter<Screw<float>> : public detail::Block<lyapunov_wave_filter_f32screw> {
 public:
-    using Parameters = lyapunov_wave_filter_f32screw_parameters;
-    using Memory = lyapunov_wave_filter_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f32screw_memory>(); lyapunov_wave_filter_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f32screw_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f32screw pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32screw>(wave); auto sent = detail::unanswered<lyapunov_f32screw>(); lyapunov_wave_filter_f32screw_pass(&storage, &wave_form, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f32screw storage{};
 };
 
-template <> class WaveFilter<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_wave_filter_f64screw)
+template <> class WaveFilter<Screw<double>> : public detail::Block<lyapunov_wave_filter_f64screw> {
 public:
-    using Parameters = lyapunov_wave_filter_f64screw_parameters;
-    using Memory = lyapunov_wave_filter_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_filter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_filter_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_filter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_filter_f64screw_memory>(); lyapunov_wave_filter_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_filter_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_filter_f64screw_restore(&storage, &memory)); }
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f64screw pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64screw>(wave); auto sent = detail::unanswered<lyapunov_f64screw>(); lyapunov_wave_filter_f64screw_pass(&storage, &wave_form, &sent); return sent; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFilter &a, const WaveFilter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFilter &a, const WaveFilter &b) noexcept { return !(a == b); }
-    lyapunov_wave_filter_f64screw storage{};
 };
 
 /* Slave behind a wave (WaveFollower): a spring and a damper that solve for the flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no memory. */
 template <class Signal> class WaveFollower;
 
-template <> class WaveFollower<float> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f32)
+template <> class WaveFollower<float> : public detail::Block<lyapunov_wave_follower_f32> {
 public:
-    using Parameters = lyapunov_wave_follower_f32_parameters;
-    using Memory = lyapunov_wave_follower_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f32_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32_memory>(); lyapunov_wave_follower_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f32_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f32 storage{};
 };
 
-template <> class WaveFollower<double> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f64)
+template <> class WaveFollower<double> : public detail::Block<lyapunov_wave_follower_f64> {
 public:
-    using Parameters = lyapunov_wave_follower_f64_parameters;
-    using Memory = lyapunov_wave_follower_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f64_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64_memory>(); lyapunov_wave_follower_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f64_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f64 storage{};
 };
 
-template <> class WaveFollower<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f32x3)
+template <> class WaveFollower<Axes<float, 3>> : public detail::Block<lyapunov_wave_follower_f32x3> {
 public:
-    using Parameters = lyapunov_wave_follower_f32x3_parameters;
-    using Memory = lyapunov_wave_follower_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f32x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x3_memory>(); lyapunov_wave_follower_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f32x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x3_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f32x3 storage{};
 };
 
-template <> class WaveFollower<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f64x3)
+template <> class WaveFollower<Axes<double, 3>> : public detail::Block<lyapunov_wave_follower_f64x3> {
 public:
-    using Parameters = lyapunov_wave_follower_f64x3_parameters;
-    using Memory = lyapunov_wave_follower_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f64x3_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x3_memory>(); lyapunov_wave_follower_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f64x3_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x3_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f64x3 storage{};
 };
 
-template <> class WaveFollower<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f32x6)
+template <> class WaveFollower<Axes<float, 6>> : public detail::Block<lyapunov_wave_follower_f32x6> {
 public:
-    using Parameters = lyapunov_wave_follower_f32x6_parameters;
-    using Memory = lyapunov_wave_follower_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f32x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32x6_memory>(); lyapunov_wave_follower_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f32x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32x6_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f32x6 storage{};
 };
 
-template <> class WaveFollower<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f64x6)
+template <> class WaveFollower<Axes<double, 6>> : public detail::Block<lyapunov_wave_follower_f64x6> {
 public:
-    using Parameters = lyapunov_wave_follower_f64x6_parameters;
-    using Memory = lyapunov_wave_follower_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f64x6_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64x6_memory>(); lyapunov_wave_follower_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f64x6_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64x6_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f64x6 storage{};
 };
 
-template <> class WaveFollower<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f32screw)
+template <> class WaveFollower<Screw<float>> : public detail::Block<lyapunov_wave_follower_f32screw> {
 public:
-    using Parameters = lyapunov_wave_follower_f32screw_parameters;
-    using Memory = lyapunov_wave_follower_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f32screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f32screw_memory>(); lyapunov_wave_follower_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f32screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f32screw_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f32screw storage{};
 };
 
-template <> class WaveFollower<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_wave_follower_f64screw)
+template <> class WaveFollower<Screw<double>> : public detail::Block<lyapunov_wave_follower_f64screw> {
 public:
-    using Parameters = lyapunov_wave_follower_f64screw_parameters;
-    using Memory = lyapunov_wave_follower_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_wave_follower_f64screw_parameters &parameters) noexcept { return Status(lyapunov_wave_follower_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_wave_follower_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_wave_follower_f64screw_memory>(); lyapunov_wave_follower_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_wave_follower_f64screw_memory &memory) noexcept { return Status(lyapunov_wave_follower_f64screw_restore(&storage, &memory)); }
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
     lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const WaveFollower &a, const WaveFollower &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const WaveFollower &a, const WaveFollower &b) noexcept { return !(a == b); }
-    lyapunov_wave_follower_f64screw storage{};
 };
 
 /* Observer alone (Observer): sums the port's energy and what the device's own damper burns, and changes no effort. */
 template <class Signal> class Observer;
 
-template <> class Observer<float> {
+LYAPUNOV_BLOCK(lyapunov_observer_f32)
+template <> class Observer<float> : public detail::Block<lyapunov_observer_f32> {
 public:
-    using Parameters = lyapunov_observer_f32_parameters;
-    using Memory = lyapunov_observer_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f32_parameters &parameters) noexcept { return Status(lyapunov_observer_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32_memory>(); lyapunov_observer_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f32_memory &memory) noexcept { return Status(lyapunov_observer_f32_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f32 storage{};
 };
 
-template <> class Observer<double> {
+LYAPUNOV_BLOCK(lyapunov_observer_f64)
+template <> class Observer<double> : public detail::Block<lyapunov_observer_f64> {
 public:
-    using Parameters = lyapunov_observer_f64_parameters;
-    using Memory = lyapunov_observer_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f64_parameters &parameters) noexcept { return Status(lyapunov_observer_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64_memory>(); lyapunov_observer_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f64_memory &memory) noexcept { return Status(lyapunov_observer_f64_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f64 storage{};
 };
 
-template <> class Observer<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_observer_f32x3)
+template <> class Observer<Axes<float, 3>> : public detail::Block<lyapunov_observer_f32x3> {
 public:
-    using Parameters = lyapunov_observer_f32x3_parameters;
-    using Memory = lyapunov_observer_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f32x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x3_memory>(); lyapunov_observer_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f32x3_memory &memory) noexcept { return Status(lyapunov_observer_f32x3_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32x3 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x3_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f32x3 storage{};
 };
 
-template <> class Observer<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_observer_f64x3)
+template <> class Observer<Axes<double, 3>> : public detail::Block<lyapunov_observer_f64x3> {
 public:
-    using Parameters = lyapunov_observer_f64x3_parameters;
-    using Memory = lyapunov_observer_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f64x3_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x3_memory>(); lyapunov_observer_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f64x3_memory &memory) noexcept { return Status(lyapunov_observer_f64x3_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64x3 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x3_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f64x3 storage{};
 };
 
-template <> class Observer<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_observer_f32x6)
+template <> class Observer<Axes<float, 6>> : public detail::Block<lyapunov_observer_f32x6> {
 public:
-    using Parameters = lyapunov_observer_f32x6_parameters;
-    using Memory = lyapunov_observer_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f32x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32x6_memory>(); lyapunov_observer_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f32x6_memory &memory) noexcept { return Status(lyapunov_observer_f32x6_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32x6 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x6_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f32x6 storage{};
 };
 
-template <> class Observer<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_observer_f64x6)
+template <> class Observer<Axes<double, 6>> : public detail::Block<lyapunov_observer_f64x6> {
 public:
-    using Parameters = lyapunov_observer_f64x6_parameters;
-    using Memory = lyapunov_observer_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f64x6_parameters &parameters) noexcept { return Status(lyapunov_observer_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64x6_memory>(); lyapunov_observer_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f64x6_memory &memory) noexcept { return Status(lyapunov_observer_f64x6_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64x6 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x6_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f64x6 storage{};
 };
 
-template <> class Observer<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_observer_f32screw)
+template <> class Observer<Screw<float>> : public detail::Block<lyapunov_observer_f32screw> {
 public:
-    using Parameters = lyapunov_observer_f32screw_parameters;
-    using Memory = lyapunov_observer_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f32screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f32screw_memory>(); lyapunov_observer_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f32screw_memory &memory) noexcept { return Status(lyapunov_observer_f32screw_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32screw &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32screw_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f32screw storage{};
 };
 
-template <> class Observer<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_observer_f64screw)
+template <> class Observer<Screw<double>> : public detail::Block<lyapunov_observer_f64screw> {
 public:
-    using Parameters = lyapunov_observer_f64screw_parameters;
-    using Memory = lyapunov_observer_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_observer_f64screw_parameters &parameters) noexcept { return Status(lyapunov_observer_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_observer_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_observer_f64screw_memory>(); lyapunov_observer_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_observer_f64screw_memory &memory) noexcept { return Status(lyapunov_observer_f64screw_restore(&storage, &memory)); }
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64screw &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64screw_observe(&storage, &sample, &energy); return energy; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Observer &a, const Observer &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const Observer &a, const Observer &b) noexcept { return !(a == b); }
-    lyapunov_observer_f64screw storage{};
 };
 
 /* Run-time summary (EnergyMeter): energies and counts of all ticks so far, in sums that keep their digits for a year. */
 template <class Signal> class EnergyMeter;
 
-template <> class EnergyMeter<float> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f32)
+template <> class EnergyMeter<float> : public detail::Block<lyapunov_energy_meter_f32> {
 public:
-    using Parameters = lyapunov_energy_meter_f32_parameters;
-    using Memory = lyapunov_energy_meter_f32_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f32_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32_memory>(); lyapunov_energy_meter_f32_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f32_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32 &sample, const lyapunov_correction_f32 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f32 storage{};
 };
 
-template <> class EnergyMeter<double> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f64)
+template <> class EnergyMeter<double> : public detail::Block<lyapunov_energy_meter_f64> {
 public:
-    using Parameters = lyapunov_energy_meter_f64_parameters;
-    using Memory = lyapunov_energy_meter_f64_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f64_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64_memory>(); lyapunov_energy_meter_f64_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f64_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64 &sample, const lyapunov_correction_f64 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f64 storage{};
 };
 
-template <> class EnergyMeter<Axes<float, 3>> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f32x3)
+template <> class EnergyMeter<Axes<float, 3>> : public detail::Block<lyapunov_energy_meter_f32x3> {
 public:
-    using Parameters = lyapunov_energy_meter_f32x3_parameters;
-    using Memory = lyapunov_energy_meter_f32x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f32x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x3_memory>(); lyapunov_energy_meter_f32x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f32x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x3_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x3 &sample, const lyapunov_correction_f32x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x3_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f32x3 storage{};
 };
 
-template <> class EnergyMeter<Axes<double, 3>> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f64x3)
+template <> class EnergyMeter<Axes<double, 3>> : public detail::Block<lyapunov_energy_meter_f64x3> {
 public:
-    using Parameters = lyapunov_energy_meter_f64x3_parameters;
-    using Memory = lyapunov_energy_meter_f64x3_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f64x3_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x3_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64x3_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x3_memory>(); lyapunov_energy_meter_f64x3_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f64x3_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x3_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x3 &sample, const lyapunov_correction_f64x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x3_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x3_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f64x3 storage{};
 };
 
-template <> class EnergyMeter<Axes<float, 6>> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f32x6)
+template <> class EnergyMeter<Axes<float, 6>> : public detail::Block<lyapunov_energy_meter_f32x6> {
 public:
-    using Parameters = lyapunov_energy_meter_f32x6_parameters;
-    using Memory = lyapunov_energy_meter_f32x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f32x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32x6_memory>(); lyapunov_energy_meter_f32x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f32x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32x6_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x6 &sample, const lyapunov_correction_f32x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32x6_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f32x6 storage{};
 };
 
-template <> class EnergyMeter<Axes<double, 6>> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f64x6)
+template <> class EnergyMeter<Axes<double, 6>> : public detail::Block<lyapunov_energy_meter_f64x6> {
 public:
-    using Parameters = lyapunov_energy_meter_f64x6_parameters;
-    using Memory = lyapunov_energy_meter_f64x6_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f64x6_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64x6_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64x6_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64x6_memory>(); lyapunov_energy_meter_f64x6_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f64x6_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64x6_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x6 &sample, const lyapunov_correction_f64x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x6_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64x6_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f64x6 storage{};
 };
 
-template <> class EnergyMeter<Screw<float>> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f32screw)
+template <> class EnergyMeter<Screw<float>> : public detail::Block<lyapunov_energy_meter_f32screw> {
 public:
-    using Parameters = lyapunov_energy_meter_f32screw_parameters;
-    using Memory = lyapunov_energy_meter_f32screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f32screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f32screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f32screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f32screw_memory>(); lyapunov_energy_meter_f32screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f32screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f32screw_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32screw &sample, const lyapunov_correction_f32screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f32 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f32>(); lyapunov_energy_meter_f32screw_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f32screw storage{};
 };
 
-template <> class EnergyMeter<Screw<double>> {
+LYAPUNOV_BLOCK(lyapunov_energy_meter_f64screw)
+template <> class EnergyMeter<Screw<double>> : public detail::Block<lyapunov_energy_meter_f64screw> {
 public:
-    using Parameters = lyapunov_energy_meter_f64screw_parameters;
-    using Memory = lyapunov_energy_meter_f64screw_memory;
-    /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the version of the header. */
-    Status init(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_init_abi(&storage, &parameters, LYAPUNOV_ABI)); }
-    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads, changes nothing. A refused change changes nothing. */
-    Status retune(const lyapunov_energy_meter_f64screw_parameters &parameters) noexcept { return Status(lyapunov_energy_meter_f64screw_retune(&storage, &parameters)); }
-    /* Takes the memory out, to be stored over a restart. */
-    lyapunov_energy_meter_f64screw_memory save() const noexcept { auto memory = detail::unanswered<lyapunov_energy_meter_f64screw_memory>(); lyapunov_energy_meter_f64screw_save(&storage, &memory); return memory; }
-    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
-    Status restore(const lyapunov_energy_meter_f64screw_memory &memory) noexcept { return Status(lyapunov_energy_meter_f64screw_restore(&storage, &memory)); }
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64screw &sample, const lyapunov_correction_f64screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64screw_add(&storage, &sample, &correction)); }
     /* Writes the energies up to now. */
     lyapunov_energy_summary_f64 summary() const noexcept { auto summary = detail::unanswered<lyapunov_energy_summary_f64>(); lyapunov_energy_meter_f64screw_summary(&storage, &summary); return summary; }
-    /* The same bytes: the same block in the same state. */
-    friend bool operator==(const EnergyMeter &a, const EnergyMeter &b) noexcept { return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }
-    friend bool operator!=(const EnergyMeter &a, const EnergyMeter &b) noexcept { return !(a == b); }
-    lyapunov_energy_meter_f64screw storage{};
 };
+
+#undef LYAPUNOV_BLOCK
+#undef LYAPUNOV_ACCOUNT
 
 } // namespace lyapunov
 

@@ -3,23 +3,25 @@
 use lyapunov::{ParameterError, Requirement, Scalar, Snapshot};
 
 use crate::check;
+use crate::export::form;
 use crate::kept::{Keep, Kind, NumberOf, Storage};
 use crate::port::Port;
 use crate::status::Code;
 use crate::verbs::open;
 
-/// End of a line of waves, in C `lyapunov_wave_f64` and kin: what is there, and what travels.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct WaveForm<V: Port> {
-    /// The flow, m/s.
-    pub flow: V::Form,
-    /// The effort, N.
-    pub effort: V::Form,
-    /// The wave that travels with the flow, in root of W.
-    pub there: V::Form,
-    /// The wave that comes back, in root of W.
-    pub back: V::Form,
+form! {
+    /// End of a line of waves, in C `lyapunov_wave_f64` and kin: what is there, and what travels.
+    #[derive(Clone, Copy, Debug)]
+    pub struct WaveForm<V: Port> {
+        /// The flow, m/s.
+        pub flow: V::Form,
+        /// The effort, N.
+        pub effort: V::Form,
+        /// The wave that travels with the flow, root of W.
+        pub there: V::Form,
+        /// The wave that comes back, root of W.
+        pub back: V::Form,
+    }
 }
 
 impl<V: Port> WaveForm<V> {

@@ -9,6 +9,9 @@ pub trait Number: Scalar<Mask = bool, Real = f64> + Flat<Self::Word> + Default {
     /// The integer with as many bits.
     type Word: Word;
 
+    /// What an odd count of them needs to fill 64 bits.
+    type Fill: Copy + Default + core::fmt::Debug;
+
     /// The bits.
     fn word(self) -> Self::Word;
 
@@ -26,9 +29,10 @@ pub trait Word: Copy + Default + Eq + core::fmt::Debug + 'static {
 }
 
 macro_rules! number {
-    ($number:ident, $word:ident) => {
+    ($number:ident, $word:ident, $fill:ty) => {
         impl Number for $number {
             type Word = $word;
+            type Fill = $fill;
 
             #[inline(always)]
             fn word(self) -> $word {
@@ -69,5 +73,5 @@ macro_rules! number {
     };
 }
 
-number!(f32, u32);
-number!(f64, u64);
+number!(f32, u32, u32);
+number!(f64, u64, [u32; 0]);

@@ -4,14 +4,16 @@ use lyapunov::poses::Screw;
 use lyapunov::{Correction, PortSample, Signal};
 use nalgebra::{SVector, Vector3};
 
+use crate::export::form;
 use crate::number::Number;
 
-/// Several axes, in C `lyapunov_f64x3` and kin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct AxesForm<T, const N: usize> {
-    /// The axes.
-    pub axis: [T; N],
+form! {
+    /// Several axes, in C `lyapunov_f64x3` and kin.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct AxesForm<T, const N: usize> {
+        /// The axes.
+        pub axis: [T; N],
+    }
 }
 
 impl<T: Number, const N: usize> Default for AxesForm<T, N> {
@@ -21,14 +23,15 @@ impl<T: Number, const N: usize> Default for AxesForm<T, N> {
     }
 }
 
-/// Twist or wrench, in C `lyapunov_f64screw` and kin.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(C)]
-pub struct ScrewForm<T> {
-    /// The part of translation: m/s, m, N.
-    pub translation: [T; 3],
-    /// The part of rotation: rad/s, rad, N·m.
-    pub rotation: [T; 3],
+form! {
+    /// Twist or wrench, in C `lyapunov_f64screw` and kin.
+    #[derive(Clone, Copy, Debug, Default, PartialEq)]
+    pub struct ScrewForm<T> {
+        /// The part of translation: m/s, m, N, or J.
+        pub translation: [T; 3],
+        /// The part of rotation: rad/s, rad, N.m, or J.
+        pub rotation: [T; 3],
+    }
 }
 
 /// Signal that C has a form for.
@@ -145,22 +148,24 @@ impl<T: Number> Port for Screw<T> {
     }
 }
 
-/// Port sample of C.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct SampleForm<V: Port> {
-    /// Time since the last call, s.
-    pub period: V::Scalar,
-    /// Position now, m.
-    pub position: V::Form,
-    /// Velocity now, m/s.
-    pub velocity: V::Form,
-    /// Displacement since the last call, m.
-    pub displacement: V::Form,
-    /// The effort applied last, N.
-    pub applied: V::Form,
-    /// Work of the applied efforts since the last call, on each axis, J.
-    pub work: V::Form,
+form! {
+    /// Port sample of C.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct SampleForm<V: Port> {
+        /// Time since the last call, s: above 0 and finite.
+        pub period: V::Scalar,
+        /// Position now, m.
+        pub position: V::Form,
+        /// Velocity now, m/s.
+        pub velocity: V::Form,
+        /// Displacement since the last call, m.
+        pub displacement: V::Form,
+        /// The effort applied last, N: after saturation and delay.
+        pub applied: V::Form,
+        /// Work of the applied efforts since the last call, on each axis, J: applied times displacement under one held
+        /// effort.
+        pub work: V::Form,
+    }
 }
 
 impl<V: Port> SampleForm<V> {
@@ -191,22 +196,23 @@ impl<V: Port> SampleForm<V> {
     }
 }
 
-/// Correction of C.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct CorrectionForm<V: Port> {
-    /// The effort to command, correction included, N.
-    pub effort: V::Form,
-    /// The observed energy before this tick's correction, J.
-    pub observed_energy: V::Scalar,
-    /// The damping injected on this tick, N·s/m.
-    pub alpha: V::Scalar,
-    /// The part of the debt that this tick's correction cannot serve, J.
-    pub shortfall: V::Scalar,
-    /// 1 if the sample was accepted, else 0.
-    pub accepted: u32,
-    /// What the call returned.
-    pub code: u32,
+form! {
+    /// Correction of C.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct CorrectionForm<V: Port> {
+        /// The effort to command, correction included, N.
+        pub effort: V::Form,
+        /// The observed energy before this tick's correction, J.
+        pub observed_energy: V::Scalar,
+        /// The damping injected on this tick, N.s/m; 0 from a block that corrects in another way.
+        pub alpha: V::Scalar,
+        /// The part of the debt that this tick's correction cannot serve, J; it stays.
+        pub shortfall: V::Scalar,
+        /// 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds.
+        pub accepted: u32,
+        /// What the call returned.
+        pub code: u32,
+    }
 }
 
 impl<V: Port> CorrectionForm<V> {

@@ -5,19 +5,22 @@ use lyapunov::{CheckedSample, PortSample};
 use nalgebra::{Quaternion, UnitQuaternion, Vector4};
 
 use crate::check;
+use crate::export::form;
 use crate::kept::{Kind, Storage};
 use crate::number::Number;
 use crate::port::ScrewForm;
 use crate::readings::{self, CheckedForm};
 
-/// Pose of a rigid body, in C `lyapunov_f64pose` and kin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C)]
-pub struct PoseForm<T> {
-    /// Position of the reference point, m.
-    pub position: [T; 3],
-    /// Orientation: x, y, z, w.
-    pub quaternion: [T; 4],
+form! {
+    /// Pose of a rigid body, in C `lyapunov_f64pose` and kin.
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct PoseForm<T> {
+        /// Position of the reference point, m.
+        pub position: [T; 3],
+        /// Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0, but a change
+        /// of it by orders of magnitude costs digits.
+        pub quaternion: [T; 4],
+    }
 }
 
 impl<T: Number> PoseForm<T> {

@@ -3,25 +3,29 @@
 use lyapunov::CheckedSample;
 
 use crate::check;
+use crate::export::form;
 use crate::kept::{Keep, Kind, NumberOf, Storage};
 use crate::port::{Port, SampleForm};
 use crate::status::Code;
 use crate::verbs::has_tag;
 
-/// Sample of a reading, and what was found in it; in C `lyapunov_checked_sample_f64` and kin.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct CheckedForm<V: Port> {
-    /// The sample, for your controller and a stabilizer.
-    pub sample: SampleForm<V>,
-    /// 1 if the reading was accepted.
-    pub accepted: u32,
-    /// 1 if the position was farther away than the fastest motion leads.
-    pub jumped: u32,
-    /// 1 if a tick was missed since the last accepted reading.
-    pub late: u32,
-    /// 1 if the time could be used.
-    pub timed: u32,
+form! {
+    /// Sample of a reading, and what was found in it; in C `lyapunov_checked_sample_f64` and kin.
+    #[derive(Clone, Copy, Debug)]
+    pub struct CheckedForm<V: Port> {
+        /// The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still, and its work
+        /// is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not read it: look at
+        /// `accepted`.
+        pub sample: SampleForm<V>,
+        /// 1 if the reading was accepted, else 0.
+        pub accepted: u32,
+        /// 1 if the position was farther away than the fastest motion leads.
+        pub jumped: u32,
+        /// 1 if a tick was missed since the last accepted reading.
+        pub late: u32,
+        /// 1 if the time could be used; always 1 at a fixed period.
+        pub timed: u32,
+    }
 }
 
 impl<V: Port> CheckedForm<V> {

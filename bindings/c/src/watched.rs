@@ -4,6 +4,7 @@ use lyapunov::telemetry::{EnergyMeter, EnergySummary};
 use lyapunov::{Held, Mask, Observer, ParameterError, Signal, Snapshot, accumulators::Plain};
 
 use crate::check;
+use crate::export::form;
 use crate::kept::{Keep, Kind, NumberOf, Storage};
 use crate::number::Number;
 use crate::port::{CorrectionForm, SampleForm};
@@ -56,33 +57,36 @@ impl<T: Number> Snapshot for Meter<T> {
     }
 }
 
-/// Summary of C.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct SummaryForm<T> {
-    /// Number of ticks.
-    pub ticks: u64,
-    /// Number of ticks with an injected damping above 0.
-    pub active: T,
-    /// Number of ticks whose sample was not accepted.
-    pub rejected: T,
-    /// The observed energy now, J.
-    pub now: T,
-    /// The least observed energy, J.
-    pub least: T,
-    /// The most observed energy, J.
-    pub most: T,
-    /// Energy that the injected damping was meant to dissipate, J.
-    pub asked: T,
-    /// Energy that flowed through the port into the environment, J.
-    pub absorbed: T,
-    /// The shortfall now, J.
-    pub shortfall: T,
-    /// The largest shortfall, J.
-    pub largest_shortfall: T,
+form! {
+    /// Summary of C.
+    #[derive(Clone, Copy, Debug)]
+    pub struct SummaryForm<T: Number> {
+        /// Number of ticks.
+        pub ticks: u64,
+        /// Number of ticks with an injected damping above 0.
+        pub active: T,
+        /// Number of ticks whose sample was not accepted.
+        pub rejected: T,
+        /// The observed energy now, J.
+        pub now: T,
+        /// The least observed energy so far, J; below 0 it is the largest debt.
+        pub least: T,
+        /// The most observed energy so far, J.
+        pub most: T,
+        /// Energy that the injected damping was meant to dissipate, J.
+        pub asked: T,
+        /// Energy that flowed through the port into the environment, J; below 0 the port gave energy away.
+        pub absorbed: T,
+        /// The shortfall now, J.
+        pub shortfall: T,
+        /// The largest shortfall so far, J.
+        pub largest_shortfall: T,
+        /// 0: every byte is a field's, so that summaries can be compared by memcmp.
+        pub fill: T::Fill,
+    }
 }
 
-impl<T> SummaryForm<T> {
+impl<T: Number> SummaryForm<T> {
     /// The form of a summary.
     pub fn of(summary: EnergySummary<T>) -> Self {
         let EnergySummary { ticks, active, rejected, now, least, most, .. } = summary;
@@ -98,6 +102,7 @@ impl<T> SummaryForm<T> {
             absorbed,
             shortfall,
             largest_shortfall,
+            fill: T::Fill::default(),
         }
     }
 }

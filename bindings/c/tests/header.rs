@@ -1,4 +1,4 @@
-//! The header and the table of the binary interface, as the compiled functions have them.
+//! The headers, as the compiled functions have them.
 //!
 //! `LYAPUNOV_WRITE=1 cargo test --features describe --test header` writes both.
 
@@ -53,29 +53,65 @@ const BOTTOM: &str = "
 #endif
 ";
 
+fn kept(path: &str) -> String {
+    std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap_or_default()
+}
+
 fn checked_in(path: &str, now: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
     if std::env::var_os("LYAPUNOV_WRITE").is_some() {
-        std::fs::write(&path, now).unwrap();
+        std::fs::write(Path::new(env!("CARGO_MANIFEST_DIR")).join(path), now).unwrap();
     }
-    let kept = std::fs::read_to_string(&path).unwrap_or_default();
+    let kept = kept(path);
     let differs = kept.lines().zip(now.lines()).position(|(kept, now)| kept != now);
     assert!(
         kept == now,
-        "{} is out of date from line {} on: LYAPUNOV_WRITE=1 cargo test --features describe --test header writes it",
-        path.display(),
+        "{path} is out of date from line {} on: LYAPUNOV_WRITE=1 cargo test --features describe --test header writes it",
         differs.unwrap_or(0) + 1
     );
 }
 
+/// What compiled programs rely on: sizes and offsets, tags, signatures, enumerators.
+fn promises(header: &str) -> BTreeSet<String> {
+    let mut of = "";
+    let mut told = BTreeSet::new();
+    for line in header.lines() {
+        of = line.strip_prefix("typedef struct ").map_or(of, |name| name.trim_end_matches(" {"));
+        if let Some(tag) = line.strip_prefix("    /* Set by init: ") {
+            told.extend(tag.split_once('.').map(|(tag, _)| format!("{of} has the tag {tag}")));
+        } else if line.starts_with("    LYAPUNOV_") {
+            told.extend(line.split([',', '/']).next().map(|line| line.trim().to_string()));
+        } else if line.starts_with("LYAPUNOV_") || line.starts_with("typedef ") {
+            told.extend(line.strip_suffix(';').map(String::from));
+        }
+    }
+    told
+}
+
+/// A promise that differs or is gone breaks programs that are compiled already; one that is new does not. It is looked at before
+/// the header is written anew.
 #[test]
 fn the_header_is_that_of_the_functions() {
     let header = Header::whole();
-    let version = format!(
-        "/* Version of the binary interface; init refuses another one. */\n#define LYAPUNOV_ABI {ABI}u\n"
+    let version = format!("#define LYAPUNOV_ABI {ABI}u\n");
+    let about = "/* Version of the binary interface; init refuses another one. */\n";
+    let text = [TOP, about, &version, FRAME, header.text.trim_end(), "\n", BOTTOM].concat();
+    let (kept, now) = (kept("include/lyapunov.h"), promises(&text));
+    let gone: Vec<_> = promises(&kept).difference(&now).cloned().collect();
+    assert!(
+        !kept.contains(&version) || gone.is_empty(),
+        "programs rely on what is no longer so: raise ABI in src/abi.rs, then write the header anew.\n{}",
+        gone.join("\n")
     );
-    let text = [TOP, &version, FRAME, header.text.trim_end(), "\n", BOTTOM].concat();
     checked_in("include/lyapunov.h", &text);
+}
+
+/// No two blocks share a tag.
+#[test]
+fn tags_differ() {
+    let promises = promises(&Header::whole().text);
+    let tags: Vec<_> = promises.iter().filter_map(|it| it.split_once(" has the tag ")).collect();
+    let different: BTreeSet<_> = tags.iter().map(|(_, tag)| tag).collect();
+    assert!(tags.len() > 200 && different.len() == tags.len());
 }
 
 #[test]
@@ -102,21 +138,4 @@ fn the_readme_has_all_verbs() {
         .flat_map(|verbs| verbs.split('`').skip(1).step_by(2).map(String::from))
         .collect();
     assert_eq!(told, there);
-}
-
-/// A line that differs or is gone breaks programs that are compiled already; a line that is new does not.
-#[test]
-fn the_binary_interface_changes_with_its_version() {
-    let now = Header::whole().table;
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("abi.txt");
-    let kept = std::fs::read_to_string(path).unwrap_or_default();
-    let lines: BTreeSet<_> = now.lines().collect();
-    let same_version = kept.lines().next() == now.lines().next();
-    let gone: Vec<_> = kept.lines().filter(|line| !lines.contains(line)).collect();
-    assert!(
-        !same_version || gone.is_empty(),
-        "programs rely on what is no longer so: raise ABI in src/abi.rs, then write the table anew.\n{}",
-        gone.join("\n")
-    );
-    checked_in("abi.txt", &now);
 }

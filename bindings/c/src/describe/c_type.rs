@@ -128,7 +128,7 @@ impl<V: Port + Suffix> CType for CheckedForm<V> {
     }
 }
 
-impl<T: Suffix> CType for SummaryForm<T> {
+impl<T: Number + Suffix> CType for SummaryForm<T> {
     fn name() -> String {
         format!("lyapunov_energy_summary_{}", T::suffix())
     }
@@ -147,6 +147,6 @@ impl<T: CType, const N: usize> CType for [T; N] {
 }
 
 /// Number with a name and an end.
-pub(crate) trait Named: Number + CType + Suffix {}
+pub(crate) trait Named: Number<Fill: CType> + CType + Suffix {}
 
-impl<T: Number + CType + Suffix> Named for T {}
+impl<T: Number<Fill: CType> + CType + Suffix> Named for T {}

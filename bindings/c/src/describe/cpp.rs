@@ -21,7 +21,17 @@ impl Function {
     pub fn name(&self) -> &str {
         &self.name
     }
+
+    /// What it does with the block of this name, if it is one of its functions.
+    fn verb(&self, block: &str) -> Option<&str> {
+        self.name.strip_prefix(block)?.strip_prefix('_')
+    }
 }
+
+/// Verbs that frame.hpp has for every block.
+const LIFE: [&str; 4] = ["init_abi", "retune", "save", "restore"];
+/// Verbs that it has for every block with an account.
+const ACCOUNT: [&str; 4] = ["observed_energy", "reset", "grant", "owe"];
 
 impl Header {
     /// The classes.
@@ -35,25 +45,23 @@ impl Header {
                 let _ = writeln!(text, "\n/* {about} */\ntemplate <class Signal> class {class};");
                 declared.push(class.clone());
             }
-            let _ =
-                write!(text, "\ntemplate <> class {class}<{}> {{\npublic:\n", cpp_signal(signal));
-            let _ = writeln!(text, "    using Parameters = {name}_parameters;");
-            let _ = writeln!(text, "    using Memory = {name}_memory;");
-            for function in &self.described {
-                if let Some(verb) = function.name.strip_prefix(&format!("{name}_")) {
+            let verbs: Vec<_> =
+                self.described.iter().filter_map(|it| Some((it.verb(name)?, it))).collect();
+            let has = |verb: &&str| verbs.iter().any(|(it, _)| it == verb);
+            let account = ACCOUNT.iter().all(has);
+            let (calls, base) = if account { ("ACCOUNT", "Account") } else { ("BLOCK", "Block") };
+            let signal_name = cpp_signal(signal);
+            let _ = writeln!(text, "\nLYAPUNOV_{calls}({name})");
+            let _ = writeln!(
+                text,
+                "template <> class {class}<{signal_name}> : public detail::{base}<{name}> {{\npublic:"
+            );
+            for (verb, function) in verbs {
+                if !(LIFE.contains(&verb) || account && ACCOUNT.contains(&verb)) {
                     method(&mut text, signal, verb, function);
                 }
             }
-            let _ = writeln!(text, "    /* The same bytes: the same block in the same state. */");
-            let _ = writeln!(
-                text,
-                "    friend bool operator==(const {class} &a, const {class} &b) noexcept {{ return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0; }}"
-            );
-            let _ = writeln!(
-                text,
-                "    friend bool operator!=(const {class} &a, const {class} &b) noexcept {{ return !(a == b); }}"
-            );
-            let _ = writeln!(text, "    {name} storage{{}};\n}};");
+            let _ = writeln!(text, "}};");
         }
         text
     }
@@ -91,7 +99,6 @@ fn numbers(signal: &str) -> &str {
 }
 
 fn method(text: &mut String, signal: &str, verb: &str, function: &Function) {
-    let verb = verb.trim_end_matches("_abi");
     let form = format!("const lyapunov_{signal} *");
     let (mut taken, mut handed) = (Vec::new(), std::vec!["&storage".to_string()]);
     let (mut before, mut given_back) = (String::new(), None);
@@ -99,7 +106,6 @@ fn method(text: &mut String, signal: &str, verb: &str, function: &Function) {
     for (name, c) in &function.arguments {
         match c.as_str() {
             _ if name == "storage" => is_const = c.starts_with("const"),
-            _ if name == "abi" => handed.push("LYAPUNOV_ABI".into()),
             _ if name == "context" => handed.push("detail::address(candidate)".into()),
             c if c.starts_with("lyapunov_candidate") => {
                 template = "    template <class Function>\n";

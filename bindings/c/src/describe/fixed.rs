@@ -9,8 +9,7 @@ use lyapunov::poses::Screw;
 use nalgebra::SVector;
 
 use super::c_type::{Named, Suffix};
-use super::{CType, Field, Header};
-use crate::abi::ABI;
+use super::{CType, Header};
 use crate::answered::WaveForm;
 use crate::port::{AxesForm, CorrectionForm, Port, SampleForm, ScrewForm};
 use crate::poses::PoseForm;
@@ -19,19 +18,7 @@ use crate::status::{CODES, Status};
 use crate::told::Candidate;
 use crate::watched::SummaryForm;
 
-macro_rules! field {
-    ($struct:ty, $field:ident, $type:ty, $about:literal) => {
-        Field {
-            name: stringify!($field),
-            c_type: <$type as CType>::name(),
-            offset: offset_of!($struct, $field),
-            about: &[$about],
-        }
-    };
-}
-
 pub(super) fn describe(header: &mut Header) {
-    let _ = writeln!(header.table, "abi {ABI}");
     codes(header);
     status(header);
     header.block("Signals", &["several axes, and twists or wrenches along the world's axes"]);
@@ -60,7 +47,6 @@ fn codes(header: &mut Header) {
         let comma = if at + 1 < CODES.len() { "," } else { "" };
         let value = *code as u32;
         let _ = writeln!(header.text, "    LYAPUNOV_{name} = {value}{comma} /* {about} */");
-        let _ = writeln!(header.table, "LYAPUNOV_{name} = {value}");
     }
     let _ = writeln!(header.text, "}};\n");
 }
@@ -98,7 +84,6 @@ fn status(header: &mut Header) {
             header.text,
             "LYAPUNOV_ASSERT(offsetof(lyapunov_status, {name}) == {offset}, lyapunov_status_{name});"
         );
-        let _ = writeln!(header.table, "lyapunov_status.{name}: at {offset}");
     }
     let text = [
         ("status", <*const Status>::name()),
@@ -120,157 +105,19 @@ fn status(header: &mut Header) {
 }
 
 fn signals<T: Named>(header: &mut Header) {
-    axes::<T, 3>(header);
-    axes::<T, 6>(header);
-    summary::<T>(header);
-    let fields = [
-        field!(ScrewForm<T>, translation, [T; 3], "The part of translation: m/s, m, N, or J."),
-        field!(ScrewForm<T>, rotation, [T; 3], "The part of rotation: rad/s, rad, N.m, or J."),
-    ];
-    header.fields(&ScrewForm::<T>::name(), size_of::<ScrewForm<T>>(), &fields);
-    let fields = [
-        field!(PoseForm<T>, position, [T; 3], "Position of the reference point, m."),
-        field!(
-            PoseForm<T>,
-            quaternion,
-            [T; 4],
-            "Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0, but a change of it by orders of magnitude costs digits."
-        ),
-    ];
-    header.fields(&PoseForm::<T>::name(), size_of::<PoseForm<T>>(), &fields);
-}
-
-fn summary<T: Named>(header: &mut Header) {
-    let fields = [
-        field!(SummaryForm<T>, ticks, u64, "Number of ticks."),
-        field!(SummaryForm<T>, active, T, "Number of ticks with an injected damping above 0."),
-        field!(SummaryForm<T>, rejected, T, "Number of ticks whose sample was not accepted."),
-        field!(SummaryForm<T>, now, T, "The observed energy now, J."),
-        field!(
-            SummaryForm<T>,
-            least,
-            T,
-            "The least observed energy so far, J; below 0 it is the largest debt."
-        ),
-        field!(SummaryForm<T>, most, T, "The most observed energy so far, J."),
-        field!(
-            SummaryForm<T>,
-            asked,
-            T,
-            "Energy that the injected damping was meant to dissipate, J."
-        ),
-        field!(
-            SummaryForm<T>,
-            absorbed,
-            T,
-            "Energy that flowed through the port into the environment, J; below 0 the port gave energy away."
-        ),
-        field!(SummaryForm<T>, shortfall, T, "The shortfall now, J."),
-        field!(SummaryForm<T>, largest_shortfall, T, "The largest shortfall so far, J."),
-    ];
-    header.fields(&SummaryForm::<T>::name(), size_of::<SummaryForm<T>>(), &fields);
-}
-
-fn axes<T: Named, const N: usize>(header: &mut Header) {
-    let fields = [field!(AxesForm<T, N>, axis, [T; N], "The axes.")];
-    header.fields(&AxesForm::<T, N>::name(), size_of::<AxesForm<T, N>>(), &fields);
+    header.form::<AxesForm<T, 3>>();
+    header.form::<AxesForm<T, 6>>();
+    header.form::<SummaryForm<T>>();
+    header.form::<ScrewForm<T>>();
+    header.form::<PoseForm<T>>();
 }
 
 fn port<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
-    sample::<V>(header);
-    correction::<V>(header);
-    checked::<V>(header);
-    wave::<V>(header);
+    header.form::<SampleForm<V>>();
+    header.form::<CorrectionForm<V>>();
+    header.form::<CheckedForm<V>>();
+    header.form::<WaveForm<V>>();
     candidate::<V>(header);
-}
-
-fn sample<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
-    type Sample<V> = SampleForm<V>;
-    let fields = [
-        field!(Sample<V>, period, V::Scalar, "Time since the last call, s: above 0 and finite."),
-        field!(Sample<V>, position, V::Form, "Position now, m."),
-        field!(Sample<V>, velocity, V::Form, "Velocity now, m/s."),
-        field!(Sample<V>, displacement, V::Form, "Displacement since the last call, m."),
-        field!(
-            Sample<V>,
-            applied,
-            V::Form,
-            "The effort applied last, N: after saturation and delay."
-        ),
-        field!(
-            Sample<V>,
-            work,
-            V::Form,
-            "Work of the applied efforts since the last call, on each axis, J: applied times displacement under one held effort."
-        ),
-    ];
-    header.fields(&Sample::<V>::name(), size_of::<Sample<V>>(), &fields);
-}
-
-fn correction<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
-    type Out<V> = CorrectionForm<V>;
-    let fields = [
-        field!(Out<V>, effort, V::Form, "The effort to command, correction included, N."),
-        field!(
-            Out<V>,
-            observed_energy,
-            V::Scalar,
-            "The observed energy before this tick's correction, J."
-        ),
-        field!(
-            Out<V>,
-            alpha,
-            V::Scalar,
-            "The damping injected on this tick, N.s/m; 0 from a block that corrects in another way."
-        ),
-        field!(
-            Out<V>,
-            shortfall,
-            V::Scalar,
-            "The part of the debt that this tick's correction cannot serve, J; it stays."
-        ),
-        field!(
-            Out<V>,
-            accepted,
-            u32,
-            "1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds."
-        ),
-        field!(Out<V>, code, u32, "What the call returned."),
-    ];
-    header.fields(&Out::<V>::name(), size_of::<Out<V>>(), &fields);
-}
-
-fn checked<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
-    type Checked<V> = CheckedForm<V>;
-    let fields = [
-        field!(
-            Checked<V>,
-            sample,
-            SampleForm<V>,
-            "The sample, for your controller and a stabilizer. Of a reading that was not accepted it stands still, and its work is NaN, so that a stabilizer that reads the work rejects it; a sampled account does not read it: look at `accepted`."
-        ),
-        field!(Checked<V>, accepted, u32, "1 if the reading was accepted, else 0."),
-        field!(
-            Checked<V>,
-            jumped,
-            u32,
-            "1 if the position was farther away than the fastest motion leads."
-        ),
-        field!(Checked<V>, late, u32, "1 if a tick was missed since the last accepted reading."),
-        field!(Checked<V>, timed, u32, "1 if the time could be used; always 1 at a fixed period."),
-    ];
-    header.fields(&Checked::<V>::name(), size_of::<Checked<V>>(), &fields);
-}
-
-fn wave<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
-    type Wave<V> = WaveForm<V>;
-    let fields = [
-        field!(Wave<V>, flow, V::Form, "The flow, m/s."),
-        field!(Wave<V>, effort, V::Form, "The effort, N."),
-        field!(Wave<V>, there, V::Form, "The wave that travels with the flow, root of W."),
-        field!(Wave<V>, back, V::Form, "The wave that comes back, root of W."),
-    ];
-    header.fields(&Wave::<V>::name(), size_of::<Wave<V>>(), &fields);
 }
 
 fn candidate<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) {
@@ -281,5 +128,4 @@ fn candidate<V: Port<Form: CType, Scalar: CType> + Suffix>(header: &mut Header) 
         header.text,
         "/* Function of yours that a step calls, see lolc_custom and lolc_storage. */\n{declared}"
     );
-    let _ = writeln!(header.table, "{declared}");
 }

@@ -213,6 +213,83 @@ template <class T> struct DampingLimit {
     }
 };
 
+namespace detail {
+
+// The functions of C that every block has, by its storage. Called, not pointed to: the address of a function in a DLL is no constant.
+template <class Storage> struct Calls;
+#define LYAPUNOV_BLOCK(name)                                                                                                     \
+    template <> struct detail::Calls<name> {                                                                                     \
+        using Parameters = name##_parameters;                                                                                    \
+        using Memory = name##_memory;                                                                                            \
+        static auto init(name *storage, const Parameters *given) { return name##_init_abi(storage, given, LYAPUNOV_ABI); }       \
+        static auto retune(name *storage, const Parameters *given) { return name##_retune(storage, given); }                     \
+        static auto save(const name *storage, Memory *memory) { return name##_save(storage, memory); }                           \
+        static auto restore(name *storage, const Memory *memory) { return name##_restore(storage, memory); }                     \
+    };
+
+// What every block has, beside verbs of its own.
+template <class Storage> class Block {
+public:
+    using Parameters = typename Calls<Storage>::Parameters;
+    using Memory = typename Calls<Storage>::Memory;
+    /* Makes the block of parameters that fit together. */
+    Status init(const Parameters &parameters) noexcept
+    {
+        static_assert(sizeof(Block) == sizeof(Storage) && std::is_standard_layout<Block>::value &&
+                          std::is_trivially_copyable<Block>::value,
+                      "a block is its storage");
+        return Status(Calls<Storage>::init(&storage, &parameters));
+    }
+    /* Changes the parameters between ticks; the memory stays, so that a `budget` or `start` among them, which init alone reads,
+       changes nothing. A refused change changes nothing. */
+    Status retune(const Parameters &parameters) noexcept { return Status(Calls<Storage>::retune(&storage, &parameters)); }
+    /* Takes the memory out, to be stored over a restart. */
+    Memory save() const noexcept
+    {
+        auto memory = unanswered<Memory>();
+        Calls<Storage>::save(&storage, &memory);
+        return memory;
+    }
+    /* Puts a stored memory in place of the own one. A refused one changes nothing. */
+    Status restore(const Memory &memory) noexcept { return Status(Calls<Storage>::restore(&storage, &memory)); }
+    /* The same bytes: the same block in the same state. */
+    friend bool operator==(const Block &a, const Block &b) noexcept
+    {
+        return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0;
+    }
+    friend bool operator!=(const Block &a, const Block &b) noexcept { return !(a == b); }
+    Storage storage{};
+};
+
+// The functions of C of an account, by the storage of its block.
+template <class Storage> struct AccountCalls;
+#define LYAPUNOV_ACCOUNT(name)                                                                                                   \
+    LYAPUNOV_BLOCK(name)                                                                                                         \
+    template <> struct detail::AccountCalls<name> {                                                                              \
+        using Number = decltype(name##_observed_energy(nullptr));                                                                \
+        static auto observed_energy(const name *storage) { return name##_observed_energy(storage); }                             \
+        static auto reset(name *storage) { return name##_reset(storage); }                                                       \
+        static auto grant(name *storage, Number energy) { return name##_grant(storage, energy); }                                \
+        static auto owe(name *storage, Number debt) { return name##_owe(storage, debt); }                                        \
+    };
+
+// What a block with an account has, beside verbs of its own.
+template <class Storage> class Account : public Block<Storage> {
+    using Number = typename AccountCalls<Storage>::Number;
+
+public:
+    /* The observed energy, J; NaN if the storage is not initialised. */
+    Number observed_energy() const noexcept { return AccountCalls<Storage>::observed_energy(&this->storage); }
+    /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
+    Code reset() noexcept { return static_cast<Code>(AccountCalls<Storage>::reset(&this->storage)); }
+    /* Adds as many joules of credit that were not absorbed. */
+    Status grant(Number energy) noexcept { return Status(AccountCalls<Storage>::grant(&this->storage, energy)); }
+    /* Adds a debt of as many joules. */
+    Status owe(Number debt) noexcept { return Status(AccountCalls<Storage>::owe(&this->storage, debt)); }
+};
+
+} // namespace detail
+
 #ifdef EIGEN_WORLD_VERSION
 // The axes as a vector of Eigen that reads the same memory; Eigen is included before this header.
 template <class Form> auto eigen(const Form &axes) noexcept
@@ -223,6 +300,9 @@ template <class Form> auto eigen(const Form &axes) noexcept
 }
 #endif
 // The classes, generated.
+
+#undef LYAPUNOV_BLOCK
+#undef LYAPUNOV_ACCOUNT
 
 } // namespace lyapunov
 

@@ -1,4 +1,4 @@
-//! Description of the functions and structs of C, of which the header and the table of the binary interface are written.
+//! Description of the functions and structs of C, of which the headers are written.
 //!
 //! Names, types, sizes and offsets are those of the compiled functions: a declaration cannot differ from its definition.
 
@@ -16,13 +16,11 @@ use std::vec::Vec;
 
 use crate::kept::{Keep, Kind, Storage, WordOf};
 
-/// Header that is being written, and the table of the binary interface.
+/// Header that is being written.
 #[derive(Debug, Default)]
 pub struct Header {
     /// The text of the header between its frame.
     pub text: String,
-    /// A line for each size, offset and function.
-    pub table: String,
     /// All functions.
     pub described: Vec<Function>,
     /// The names of all blocks, and what they are.
@@ -40,6 +38,12 @@ pub struct Field<'a> {
     pub offset: usize,
     /// What it is.
     pub about: &'a [&'a str],
+}
+
+/// Struct that no block brings.
+pub trait Form: CType {
+    /// Its fields.
+    fn fields() -> Vec<Field<'static>>;
 }
 
 impl Header {
@@ -92,7 +96,6 @@ impl Header {
         let list = if list.is_empty() { "void".to_string() } else { list.join(", ") };
         let declared = format!("{returned}{}{name}({list})", gap(&returned));
         let _ = writeln!(self.text, "LYAPUNOV_API {declared};");
-        let _ = writeln!(self.table, "{declared}");
         let about: Vec<_> = about.iter().map(|line| line.trim()).collect();
         self.described.push(Function {
             name: name.into(),
@@ -122,14 +125,20 @@ impl Header {
         }
         let _ = writeln!(self.text, "}} {name};");
         let _ = writeln!(self.text, "LYAPUNOV_ASSERT(sizeof({name}) == {size}, {name}_size);");
-        let _ = writeln!(self.table, "{name}: {size} bytes");
         for Field { name: field, offset, .. } in fields {
             let _ = writeln!(
                 self.text,
                 "LYAPUNOV_ASSERT(offsetof({name}, {field}) == {offset}, {name}_{field});"
             );
-            let _ = writeln!(self.table, "{name}.{field}: at {offset}");
         }
+    }
+
+    /// A struct that no block brings.
+    pub fn form<F: Form>(&mut self) {
+        let mut fields = F::fields();
+        // C has no empty arrays.
+        fields.retain(|field| !field.c_type.ends_with("[0]"));
+        self.fields(&F::name(), size_of::<F>(), &fields);
     }
 
     /// The parameters of a block.
@@ -146,11 +155,12 @@ impl Header {
     {
         let word = size_of::<WordOf<K>>();
         let count = (size_of::<Storage<K>>() - word) / word;
+        let set = format!("Set by init: {:#010x}.", K::TAG);
         let tag = Field {
             name: "tag",
             c_type: WordOf::<K>::name(),
             offset: 0,
-            about: &["Set by init. Storage is copied as any struct and compared by memcmp."],
+            about: &[&set, "Storage is copied as any struct and compared by memcmp."],
         };
         let kept = Field {
             name: "kept",
@@ -167,7 +177,6 @@ impl Header {
             about: &["The memory without the parameters, to be stored."],
         };
         self.fields(&K::Memory::name(), size_of::<K::Memory>(), &[words]);
-        let _ = writeln!(self.table, "{name}: tag {:#010x}", K::TAG);
     }
 }
 

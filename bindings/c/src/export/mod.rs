@@ -1,6 +1,7 @@
 //! Functions under their names in C, and their description.
 
 mod entries;
+mod form;
 mod verbs;
 
 /// Functions of C: each is written once, here, and described from the same line.
@@ -200,5 +201,6 @@ macro_rules! kept {
 }
 
 pub(crate) use entries::{bare, blocks, each, on, one};
+pub(crate) use form::form;
 pub(crate) use verbs::verbs;
 pub(crate) use {block_on, exported, kept};

@@ -139,6 +139,22 @@ void never_initialised()
     expect(std::isnan(sound.observed_energy()) == false, "a number of what is initialised");
 }
 
+// A block is its storage, whatever its verbs: as large, and copied byte by byte.
+template <class Block> constexpr bool is_its_storage()
+{
+    return sizeof(Block) == sizeof(Block::storage) && std::is_standard_layout<Block>::value &&
+           std::is_trivially_copyable<Block>::value && std::is_aggregate<Block>::value;
+}
+template <template <class> class Block> constexpr bool is_on_every_signal()
+{
+    return is_its_storage<Block<float>>() && is_its_storage<Block<double>>() &&
+           is_its_storage<Block<lyapunov::Axes<float, 3>>>() && is_its_storage<Block<lyapunov::Axes<double, 6>>>() &&
+           is_its_storage<Block<lyapunov::Screw<float>>>() && is_its_storage<Block<lyapunov::Screw<double>>>();
+}
+static_assert(is_on_every_signal<lyapunov::Popc>() && is_on_every_signal<lyapunov::LolcCustom>(), "of a stabilizer");
+static_assert(is_on_every_signal<lyapunov::Readings>() && is_on_every_signal<lyapunov::EnergyMeter>(), "of an observer");
+static_assert(is_on_every_signal<lyapunov::TwoLayer>() && is_on_every_signal<lyapunov::WaveFilter>(), "of a line");
+
 } // namespace
 
 int main()

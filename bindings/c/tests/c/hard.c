@@ -352,7 +352,7 @@ static void summary(void)
 {
     lyapunov_energy_meter_f32 meter;
     const lyapunov_energy_meter_f32_parameters none = { 0 };
-    lyapunov_energy_summary_f32 told;
+    lyapunov_energy_summary_f32 told, again;
     const lyapunov_sample_f32 sample = { 1e-3f, 0, 0.5f, 1e-4f, -2, -0.25f };
     lyapunov_correction_f32 correction = { 1.5f, -0.25f, 16, 0.125f, 1, LYAPUNOV_OK };
 
@@ -368,7 +368,10 @@ static void summary(void)
     EXPECT(told.ticks == 3 && told.most >= FLT_MAX && told.largest_shortfall >= FLT_MAX);
     correction.shortfall = NAN;
     EXPECT(lyapunov_energy_meter_f32_add(&meter, &sample, &correction) == LYAPUNOV_OK);
+    memset(&told, 0x00, sizeof told);
+    memset(&again, 0xff, sizeof again);
     EXPECT(lyapunov_energy_meter_f32_summary(&meter, &told) == LYAPUNOV_OK && told.ticks == 3);
+    EXPECT(lyapunov_energy_meter_f32_summary(&meter, &again) == LYAPUNOV_OK && memcmp(&told, &again, sizeof told) == 0);
 }
 
 int main(void)
