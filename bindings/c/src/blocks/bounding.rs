@@ -82,7 +82,7 @@ blocks! {
     /// Energy-bounding algorithm (EnergyBounding), for a force that may act late.
     energy_bounding on every = {
         "energy_bounding";
-        EnergyBounding<V>, whole 5 + 1;
+        EnergyBounding<V>, whole 6 + 1;
         {
             /// Damping that the device surely has, N.s/m.
             damping: T,
