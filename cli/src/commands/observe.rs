@@ -79,19 +79,20 @@ impl Observe {
             candidate: Candidate::named(&self.candidate, self.damping, self.surface)
                 .map_err(End::input)?,
             contact: self.contact,
-            asked: self.asked()?,
         };
+        let asked = self.asked()?;
         let mut inputs = Inputs::of("the log", [&self.log]);
         let mut files = names(RESULTS, ["observe"], ["observe.csv"]);
-        if let Some(asked) = &settings.asked {
+        if let Some(asked) = &asked {
             inputs = inputs.and("the scene", self.scene.as_deref()).and_named_by(&asked.scene);
             files.extend(
                 ["stabilizers.csv", "stabilizers.svg", "stabilizers.png"].map(str::to_owned),
             );
         }
         let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
-        let observed = Source::read_by(&self.log, self.quiet, |log, name| {
-            observe::observe(log, name, &settings)
+        let observed = Source::read_by(&self.log, self.quiet, |log, name| match &asked {
+            Some(asked) => observe::replay(log, name, &settings, asked),
+            None => observe::observe(log, name, &settings),
         })?;
         if let Some(folder) = folder {
             let results =

@@ -159,7 +159,6 @@ impl Log {
                 .collect(),
             candidate: self.candidate,
             contact: Some(self.threshold),
-            asked: None,
         }
     }
 

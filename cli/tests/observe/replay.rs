@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use lyapunov_lab::observe::{Asked, LogError, NOTE, Replayed, Report, Settings, observe};
+use lyapunov_lab::observe::{Asked, LogError, NOTE, Replayed, Report, Settings, replay};
 use lyapunov_lab::{Csv, Rollout, Scene};
 
 use crate::observe::command::run;
@@ -56,8 +56,8 @@ fn scene(more: &str) -> Scene {
 fn asked(log: &str, scene: &Scene, names: &str) -> Result<Report, LogError> {
     let stabilizers = names.parse().unwrap();
     let asked = Asked { stabilizers, scene: scene.clone(), name: "made.toml".to_owned() };
-    let settings = Settings { asked: Some(asked), ..Settings::default() };
-    observe(log.as_bytes(), "log.csv", &settings).map(|observed| observed.report)
+    let observed = replay(log.as_bytes(), "log.csv", &Settings::default(), &asked);
+    observed.map(|observed| observed.report)
 }
 
 #[track_caller]
@@ -315,8 +315,8 @@ fn the_page_of_the_documentation_shows_what_is_printed() {
     let scene = Scene::load(SCENE.as_ref()).unwrap();
     let stabilizers = "popc,tank,iss".parse().unwrap();
     let asked = Asked { stabilizers, scene, name: "scenes/paper-8k-none.toml".to_owned() };
-    let settings = Settings { asked: Some(asked), ..Settings::default() };
-    let report = observe(fs::File::open(LOG).unwrap(), LOG, &settings).unwrap().report.to_string();
+    let log = fs::File::open(LOG).unwrap();
+    let report = replay(log, LOG, &Settings::default(), &asked).unwrap().report.to_string();
     let shown = report.split("\n\n").last().unwrap();
     assert!(page.contains(shown), "docs/observe.md should show:\n{shown}");
 }

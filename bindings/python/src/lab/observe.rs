@@ -97,12 +97,14 @@ pub(crate) fn observe(
         scales: scales.collect::<Result<_, _>>().map_err(errors::input)?,
         candidate: Candidate::named(candidate, damping, surface).map_err(errors::input)?,
         contact,
-        asked,
     };
     let (source, name) = Source::of(log)?;
     wait(py, progress, source.size(), move |watched| {
         let log = Heeding { inner: source.opened(&name)?, watched };
-        let observed = lab::observe(log, &name, &settings);
+        let observed = match &asked {
+            Some(asked) => lab::replay(log, &name, &settings, asked),
+            None => lab::observe(log, &name, &settings),
+        };
         if watched.go_on() == ControlFlow::Break(()) {
             return Err(Fault::Stopped);
         }

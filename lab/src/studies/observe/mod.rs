@@ -41,7 +41,7 @@ use std::io::Read;
 use lyapunov_figures::Figure;
 
 use crate::files::log::Log;
-use replay::Replays;
+use replay::{Listener, Replays};
 use watch::Watch;
 
 /// Settings for reading and observing a log.
@@ -55,8 +55,6 @@ pub struct Settings {
     pub candidate: Candidate,
     /// The force above which there is contact, N; none: 1 % of the largest so far.
     pub contact: Option<f64>,
-    /// Stabilizers to ask what they would have done; none: nobody.
-    pub asked: Option<Asked>,
 }
 
 impl Settings {
@@ -99,14 +97,35 @@ impl Observed {
 /// Reads the log called `name` to its end and observes it.
 ///
 /// # Errors
-/// Settings out of range, a log without the requested columns or with fewer than two good rows, a scene that does not fit
-/// the log or those who are asked, or a stream that fails.
+/// Settings out of range, a log without the requested columns or with fewer than two good rows, or a stream that fails.
 pub fn observe(log: impl Read, name: &str, settings: &Settings) -> Result<Observed, LogError> {
+    heard(log, name, settings, || Ok(None))
+}
+
+/// The same, with what the stabilizers that are asked would have done.
+///
+/// # Errors
+/// As [`observe`], and a scene that does not fit the log or those who are asked.
+pub fn replay(
+    log: impl Read,
+    name: &str,
+    settings: &Settings,
+    asked: &Asked,
+) -> Result<Observed, LogError> {
+    heard(log, name, settings, || Ok(Some(Box::new(Replays::of(asked)?))))
+}
+
+/// A log that is observed while somebody may listen, who comes once it is open.
+fn heard(
+    log: impl Read,
+    name: &str,
+    settings: &Settings,
+    listener: impl FnOnce() -> Result<Option<Box<dyn Listener>>, LogError>,
+) -> Result<Observed, LogError> {
     settings.check()?;
     let candidate = settings.candidate.checked()?;
     let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
-    let replays = Replays::of(settings.asked.as_ref())?;
-    let mut watch = Watch::new(candidate, settings.contact, replays);
+    let mut watch = Watch::new(candidate, settings.contact, listener()?);
     while let Some(entry) = log.read().map_err(|error| LogError::unreadable(name, &error))? {
         watch.add(&entry);
     }

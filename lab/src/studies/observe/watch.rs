@@ -5,7 +5,7 @@ use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated}
 use super::candidate::Credited;
 use super::contact::{Finder, Push};
 use super::observed_energy::ObservedEnergy;
-use super::replay::Replays;
+use super::replay::Listener;
 use super::report::{ConstantDamper, Energy, Report};
 use super::step::{Gaps, Step};
 use super::tally::Tally;
@@ -35,7 +35,11 @@ pub(super) struct Watch {
 }
 
 impl Watch {
-    pub(super) fn new(candidate: Credited, contact: Option<f64>, replays: Replays) -> Self {
+    pub(super) fn new(
+        candidate: Credited,
+        contact: Option<f64>,
+        listener: Option<Box<dyn Listener>>,
+    ) -> Self {
         Self {
             rows: 0,
             bad: BadRows::default(),
@@ -45,7 +49,7 @@ impl Watch {
             forces: None,
             waiting: Vec::with_capacity(WAITING),
             period: None,
-            account: Books::new(candidate, contact, replays),
+            account: Books::new(candidate, contact, listener),
         }
     }
 
@@ -151,7 +155,7 @@ impl Watch {
             printed: account.sampled_course.finish(),
             contacts,
             look_at,
-            replay: account.replays.finish(name, period)?,
+            replay: account.listener.map(|it| it.finish(name, period)).transpose()?,
             ..Report::default()
         };
         Ok((report, account.traces))
@@ -172,7 +176,7 @@ struct Books {
     contacts: Finder,
     traces: Traces,
     signs: LogSigns,
-    replays: Replays,
+    listener: Option<Box<dyn Listener>>,
     /// Force of the last step, N.
     pushed: f64,
 }
@@ -182,7 +186,7 @@ fn observing<W: Work>(candidate: Credited) -> Observing<W> {
 }
 
 impl Books {
-    fn new(candidate: Credited, contact: Option<f64>, replays: Replays) -> Self {
+    fn new(candidate: Credited, contact: Option<f64>, listener: Option<Box<dyn Listener>>) -> Self {
         Self {
             held: observing(candidate),
             sampled: observing(candidate),
@@ -195,7 +199,7 @@ impl Books {
             contacts: Finder::new(contact),
             traces: Traces::new(),
             signs: LogSigns::new(contact),
-            replays,
+            listener,
             pushed: 0.0,
         }
     }
@@ -214,7 +218,9 @@ impl Books {
         }
         let sample = step.sample(median);
         let motion = sample.velocity * sample.velocity * sample.period;
-        self.replays.book(step, &sample, median);
+        if let Some(listener) = &mut self.listener {
+            listener.book(step, &sample, median);
+        }
         self.port.add(sample.work, motion);
         self.credited.add(self.held.candidate.credit(&sample), 0.0);
         let held = self.held.observe(&sample, step.to.f);

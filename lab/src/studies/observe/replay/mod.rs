@@ -11,6 +11,8 @@ mod picture;
 mod replayed;
 mod table;
 
+use std::fmt::Debug;
+
 use lyapunov::{HeldTick, PortSample};
 
 use super::step::Step;
@@ -39,44 +41,53 @@ pub struct Asked {
     pub name: String,
 }
 
+/// Listener to the steps of a log. A table of methods, so that a program in which nobody listens, as in the page, links none of it.
+pub(super) trait Listener: Debug {
+    /// Takes a step.
+    fn book(&mut self, step: &Step, sample: &PortSample<f64>, median: f64);
+
+    /// What each stabilizer would have done.
+    ///
+    /// # Errors
+    /// A log whose ticks are not those of the scene.
+    fn finish(self: Box<Self>, name: &str, median: f64) -> Result<Replay, LogError>;
+}
+
 /// The accounts of all stabilizers over a log.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Replays {
     accounts: Vec<Account>,
     left: Vec<Left>,
-    /// The scene and its name; none where nobody is asked.
-    scene: Option<(Scene, String)>,
+    scene: Scene,
+    /// The name of the scene.
+    called: String,
     has_started: bool,
 }
 
 impl Replays {
-    /// Those who are asked, before the first row; none where nobody is.
-    pub(super) fn of(asked: Option<&Asked>) -> Result<Self, LogError> {
-        let Some(asked) = asked else { return Ok(Self::default()) };
+    /// Those who are asked, before the first row.
+    pub(super) fn of(asked: &Asked) -> Result<Self, LogError> {
         let (accounts, left) = entrant::entered(asked)?;
-        let scene = Some((asked.scene.clone(), asked.name.clone()));
-        Ok(Self { accounts, left, scene, has_started: false })
+        let (scene, called) = (asked.scene.clone(), asked.name.clone());
+        Ok(Self { accounts, left, scene, called, has_started: false })
     }
+}
 
+impl Listener for Replays {
     /// Tells each of them a step; the first one tells the row before it as well.
-    pub(super) fn book(&mut self, step: &Step, sample: &PortSample<f64>, median: f64) {
-        let Some((scene, _)) = &self.scene else { return };
+    fn book(&mut self, step: &Step, sample: &PortSample<f64>, median: f64) {
         if !std::mem::replace(&mut self.has_started, true) {
             let first = start(&step.from, median);
             self.accounts.iter_mut().for_each(|it| {
-                it.begin(scene, &first);
+                it.begin(&self.scene, &first);
                 it.add(&first, &step.from);
             });
         }
         self.accounts.iter_mut().for_each(|it| it.add(sample, &step.to));
     }
 
-    /// What each would have done; none where nobody was asked.
-    ///
-    /// # Errors
-    /// A log whose ticks are not those of the scene.
-    pub(super) fn finish(self, name: &str, median: f64) -> Result<Option<Replay>, LogError> {
-        let Some((scene, called)) = self.scene else { return Ok(None) };
+    fn finish(self: Box<Self>, name: &str, median: f64) -> Result<Replay, LogError> {
+        let Self { accounts, left, scene, called, .. } = *self;
         let period = scene.period();
         if (median - period).abs() > NEAR * period {
             let [rate, apart, period] = [median.recip(), median, period].map(found);
@@ -88,14 +99,8 @@ impl Replays {
                  with a row for each tick"
             )));
         }
-        let (rows, traces) = self.accounts.into_iter().map(Account::finish).unzip();
-        Ok(Some(Replay {
-            scene: called,
-            note: NOTE,
-            stabilizers: rows,
-            not_replayed: self.left,
-            traces,
-        }))
+        let (rows, traces) = accounts.into_iter().map(Account::finish).unzip();
+        Ok(Replay { scene: called, note: NOTE, stabilizers: rows, not_replayed: left, traces })
     }
 }
 
