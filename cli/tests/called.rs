@@ -3,6 +3,8 @@
 use std::ffi::OsStr;
 use std::process::{Command, Output};
 
+use serde_json::Value;
+
 pub(crate) fn lyapunov<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> Output {
     Command::new(env!("CARGO_BIN_EXE_lyapunov")).args(arguments).output().unwrap()
 }
@@ -18,4 +20,24 @@ pub(crate) fn refuses(arguments: &[&OsStr], words: &[&str]) {
     assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
     let err = text(&said.stderr);
     assert!(words.iter().all(|word| err.contains(word)), "{err}");
+}
+
+/// Asserts that the lines of `csv` below its first are the `rows` of a JSON, key by key; null is an empty field.
+#[track_caller]
+pub(crate) fn holds_rows(csv: &str, rows: &[Value]) {
+    let mut lines = csv.lines();
+    let keys: Vec<&str> = lines.next().unwrap().split(',').collect();
+    assert_eq!(lines.clone().count(), rows.len(), "{csv}");
+    for (line, row) in lines.zip(rows) {
+        let row = row.as_object().unwrap();
+        let fields: Vec<&str> = line.split(',').collect();
+        assert_eq!((fields.len(), row.len()), (keys.len(), keys.len()), "{line}");
+        for (key, field) in keys.iter().zip(fields) {
+            match &row[*key] {
+                Value::Null => assert_eq!(field, "", "{key}"),
+                Value::String(word) => assert_eq!(field, word, "{key}"),
+                number => assert_eq!(field.parse().ok(), number.as_f64(), "{key}"),
+            }
+        }
+    }
 }

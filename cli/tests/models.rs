@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::called::{lyapunov, refuses, text};
+use crate::called::{holds_rows, lyapunov, refuses, text};
 
 const NAMES: [&str; 6] = [
     "van-der-pol",
@@ -53,10 +53,8 @@ fn the_written_files_agree_with_each_other() {
         .collect();
     names.sort();
     let figure = ["csv", "png", "svg"].map(|ending| format!("inverted-pendulum.{ending}"));
-    assert_eq!(
-        names,
-        [&["compare.json".to_owned()], &figure[..], &["report.html".to_owned()]].concat()
-    );
+    let rows = ["compare.csv", "compare.json"].map(str::to_owned);
+    assert_eq!(names, [&rows[..], &figure[..], &["report.html".to_owned()]].concat());
     assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), text(&said.stdout));
 
     let json: Value = serde_json::from_slice(&said.stdout).unwrap();
@@ -78,8 +76,43 @@ fn the_written_files_agree_with_each_other() {
         assert_eq!(row["v_largest"], values.iter().copied().fold(0.0, f64::max));
         assert_eq!(json["models"][0]["v_start"], values[0]);
     }
+    holds_rows(&fs::read_to_string(out.join("compare.csv")).unwrap(), rows);
     let page = fs::read_to_string(out.join("report.html")).unwrap();
     assert!(page.contains("<svg") && page.contains("lolc-decay") && !page.contains("NaN"));
+    assert!(page.contains("<a href=\"compare.csv\">") && !page.contains("Left out"));
+}
+
+/// A file that does not fit is told with its reason in every form, as a scene is, and the rows have a file of their own name.
+#[test]
+fn a_batch_goes_on_after_a_model_that_does_not_fit() {
+    let place = tempfile::tempdir().unwrap();
+    let (out, wrong) = (place.path().join("out"), place.path().join("wrong.toml"));
+    let text_of = fs::read_to_string(path("inverted-pendulum")).unwrap();
+    fs::write(&wrong, text_of.replace("proportional = 6.0", "proportional = 1.0")).unwrap();
+    let named = place.path().join("compare.toml");
+    fs::copy(path("dc-motor"), &named).unwrap();
+    let said = lyapunov([
+        "compare".as_ref(),
+        wrong.as_os_str(),
+        named.as_os_str(),
+        "--json".as_ref(),
+        "--out".as_ref(),
+        out.as_os_str(),
+    ]);
+    assert_eq!(said.status.code(), Some(2));
+    assert!(text(&said.stderr).starts_with("error: 1 of 2 files left out\n"));
+    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    let left_out = json["left_out"].as_array().unwrap();
+    assert_eq!(left_out.len(), 1);
+    assert!(left_out[0].as_str().unwrap().contains("m g l"), "{left_out:?}");
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("Left out") && page.contains("m g l"));
+    holds_rows(
+        &fs::read_to_string(out.join("compare.csv")).unwrap(),
+        json["rows"].as_array().unwrap(),
+    );
+    let curves = fs::read_to_string(out.join("compare-2.csv")).unwrap();
+    assert!(curves.starts_with("stabilizer,t,v\n"), "{curves}");
 }
 
 #[test]

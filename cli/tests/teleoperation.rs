@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::called::{lyapunov, refuses, text};
+use crate::called::{holds_rows, lyapunov, refuses, text};
 
 const NAMES: [&str; 3] = ["constant-delay", "varying-delay", "lossy"];
 
@@ -55,7 +55,8 @@ fn the_written_files_agree_with_each_other() {
     let entries = fs::read_dir(&out).unwrap().map(|it| it.unwrap().file_name());
     let mut names: Vec<_> = entries.map(|name| name.into_string().unwrap()).collect();
     names.sort();
-    assert_eq!(names, ["compare.json", "lossy.csv", "lossy.png", "lossy.svg", "report.html"]);
+    let figure = ["lossy.csv", "lossy.png", "lossy.svg"];
+    assert_eq!(names, [&["compare.csv", "compare.json"], &figure[..], &["report.html"]].concat());
     assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), text(&said.stdout));
 
     let json: Value = serde_json::from_slice(&said.stdout).unwrap();
@@ -78,8 +79,10 @@ fn the_written_files_agree_with_each_other() {
         let apart = master.iter().zip(&slave).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
         assert_eq!(row["error_largest_mm"], 1e3 * apart);
     }
+    holds_rows(&fs::read_to_string(out.join("compare.csv")).unwrap(), rows);
     let page = fs::read_to_string(out.join("report.html")).unwrap();
     assert!(page.contains("<svg") && page.contains("wave-variables") && !page.contains("NaN"));
+    assert!(page.contains("<a href=\"compare.csv\">"));
 }
 
 #[test]
@@ -128,6 +131,26 @@ fn entrants_take_part_by_name() {
     refused("", &["is called ``", "the names are:"]);
 }
 
+/// Without damping the waves have no impedance, and what sends no waves does not ask for one.
+#[test]
+fn an_impedance_is_asked_for_by_waves_only() {
+    let place = tempfile::tempdir().unwrap();
+    let undamped = place.path().join("undamped.toml");
+    let file = fs::read_to_string(path("constant-delay")).unwrap();
+    let (file, _) = file.split_once("\n[stabilizer]").unwrap();
+    fs::write(&undamped, file.replace("stiffness = 200.0\ndamping = 2.0", "stiffness = 200.0"))
+        .unwrap();
+    let (compare, named): (&OsStr, &OsStr) = ("compare".as_ref(), "--stabilizers".as_ref());
+    let words = ["| [coordination]", "`impedance = 5.0`", "leave the wave variables out"];
+    refuses(&[compare, undamped.as_ref()], &words);
+    refuses(&[compare, undamped.as_ref(), named, "none,wave-variables-matched".as_ref()], &words);
+    let without = "none,popc-at-each-end,two-port-popc,drift-compensated,two-layer";
+    let said = lyapunov([compare, undamped.as_ref(), named, without.as_ref(), "--json".as_ref()]);
+    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    assert_eq!(json["rows"].as_array().unwrap().len(), 5);
+}
+
 #[test]
 fn a_run_that_leaves_the_range_has_no_numbers_of_its_end() {
     let place = tempfile::tempdir().unwrap();
@@ -138,6 +161,10 @@ fn a_run_that_leaves_the_range_has_no_numbers_of_its_end() {
     let json: Value = serde_json::from_slice(&said.stdout).unwrap();
     let none = &json["rows"][0];
     assert_eq!((&none["verdict"], &none["error_end_mm"]), (&"grows".into(), &Value::Null));
+    // What is of the ticks until then stays.
+    for key in ["first_touch_s", "active_master_percent", "active_slave_percent"] {
+        assert!(none[key].is_number(), "{key}");
+    }
     assert!(json["rows"][2]["error_end_mm"].is_number());
     assert_eq!(json["rows"][4]["energy_least_mj"], Value::Null);
 }

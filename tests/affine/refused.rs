@@ -1,17 +1,17 @@
 //! Refusal of invalid parameters, by name.
 
 use lyapunov::{
-    ParameterError,
+    ParameterError, Requirement,
     integrators::RungeKutta4,
     models::{
         AdmittanceDevice, AffinePlant, ArmEnergy, DcMotor, Decay, Ground, InvertedPendulum,
-        LegEnergy, MeasuredPlant, MotorEnergy, MotorParts, ProstheticLeg, QuadraticForm, RigidLink,
-        TwoLinkArm, UprightEnergy, VanDerPol,
+        LegEnergy, LyapunovFunction, MeasuredPlant, MotorEnergy, MotorParts, ProstheticLeg,
+        QuadraticForm, RigidLink, TwoLinkArm, UprightEnergy, VanDerPol,
     },
 };
-use nalgebra::Vector2;
+use nalgebra::{Vector2, Vector4};
 
-use crate::{arm, leg, motor, pendulum};
+use crate::{Draw, arm, leg, motor, pendulum};
 
 fn name<X>(refused: Result<X, ParameterError>) -> &'static str {
     refused.err().map_or("nothing", |error| error.parameter)
@@ -44,6 +44,47 @@ fn parameters_are_refused_by_name() {
     assert_eq!(name(stand([f64::INFINITY, 0.0], ground)), "posture");
     assert_eq!(name(stand([0.0; 2], Ground { drag: -1.0, ..ground })), "drag");
     assert_eq!(name(LegEnergy::new(leg::<f64>(), [0.0, 1.0])), "stiffness");
+}
+
+/// The least curvature over all directions of `energy` in the posture, by second differences, with springs softer by `less`.
+fn least_curvature(energy: LegEnergy<f64>, less: [f64; 2]) -> f64 {
+    let step = 1e-3;
+    let along = |way: f64| {
+        let (hip, knee) = (step * way.cos(), step * way.sin());
+        let value = |hip: f64, knee: f64| energy.value(Vector4::new(hip, knee, 0.0, 0.0));
+        let softer = less[0] * hip * hip + less[1] * knee * knee;
+        (value(hip, knee) + value(-hip, -knee) - softer) / (step * step)
+    };
+    (0..2000).map(|way| along(f64::from(way) * 0.00157)).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn springs_that_do_not_hold_the_leg_against_gravity_are_refused() {
+    let air = Ground { stiffness: 0.0, damping: 0.0, drag: 0.0 };
+    let [thigh, shank] = [(4.0, 0.4), (2.5, 0.45)].map(|(m, l)| RigidLink::rod(m, l));
+    let (mut draw, mut held, mut refused) = (Draw(9), 0, 0);
+    for _ in 0..300 {
+        let drawn: Vector4<f64> = draw.vector(1.0);
+        let posture = [3.2 * drawn[0], 3.2 * drawn[1]];
+        let leg = ProstheticLeg::new(thigh, shank, posture, air).expect("a leg");
+        // These hold the leg in any posture.
+        let stiff = LegEnergy::new(leg, [1000.0; 2]).expect("an energy");
+        let pull = 1000.0 - least_curvature(stiff, [0.0; 2]);
+        if pull > 0.1 {
+            let error = LegEnergy::new(leg, [0.99 * pull; 2]).expect_err("too soft");
+            let Requirement::AtLeast(least) = error.requirement else { panic!("{error}") };
+            assert!((least / pull - 1.0).abs() < 1e-4, "{least} is not {pull}");
+            assert_eq!(name(LegEnergy::new(leg, [1.01 * pull; 2])), "nothing");
+        }
+        let springs = [20.0 + 19.9 * drawn[2], 20.0 + 19.9 * drawn[3]];
+        let least = least_curvature(stiff, springs.map(|spring| 1000.0 - spring));
+        if least.abs() > 0.01 {
+            let is_held = LegEnergy::new(leg, springs).is_ok();
+            assert_eq!(is_held, least > 0.0, "{posture:?} {springs:?} {least}");
+            if is_held { held += 1 } else { refused += 1 }
+        }
+    }
+    assert!(held > 50 && refused > 50, "{held} {refused}");
 }
 
 #[test]

@@ -31,6 +31,9 @@ const LONG: u64 = 1 << 20;
 /// The file that `--json` prints.
 const RESULTS: &str = "compare.json";
 
+/// The file of its rows.
+const ROWS: &str = "compare.csv";
+
 /// Compare stabilizers on the same scenes.
 ///
 /// Prints a table for each scene. A name takes the scene's own table of that name if there is one; else its numbers follow
@@ -73,7 +76,9 @@ pub(crate) struct Compare {
 impl Compare {
     pub(crate) fn run(&self) -> Result<(), End> {
         let mut left_out = LeftOut::of(self.scenes.len());
-        let scenes = match Subjects::load(&self.scenes, &mut left_out)? {
+        // Names of another kind of file are told where that is known.
+        let entrants = self.entrants().ok().flatten().unwrap_or_default();
+        let scenes = match Subjects::load(&self.scenes, &entrants, &mut left_out)? {
             Subjects::Scenes(scenes) => scenes,
             _ if self.tuned.is_some() => {
                 let remedy = "leave it away for files of models and of teleoperators";
@@ -109,7 +114,7 @@ impl Compare {
         };
         let figures = named(&["", "force", "energy", "trade-off"], "");
         let mut rows = named(&["energy", "trade-off"], ".csv");
-        rows.push("compare.csv".to_owned());
+        rows.push(ROWS.to_owned());
         Folder::claim(path, results::names(RESULTS, figures, rows), &inputs)
     }
 
@@ -239,7 +244,7 @@ fn fill(
         (one, figures.collect::<Vec<_>>())
     });
     let page = report(&told.collect::<Vec<_>>(), left_out.reasons(), &command_line());
-    let mut results = Results::new(page, RESULTS, text).with_file("compare.csv", csv(comparisons));
+    let mut results = Results::new(page, RESULTS, text).with_file(ROWS, csv(comparisons));
     let files = names(comparisons.iter().map(|one| &one.name[..]));
     for ((name, figures), answers) in files.iter().zip(&drawn).zip(answers) {
         for (question, figure) in figures {

@@ -2,6 +2,8 @@
 
 use crate::cli::place::Place;
 
+const SHIPPED_PLANE: &str = include_str!("../../../scenes/plane.toml");
+
 #[test]
 fn an_empty_part_of_a_key_is_refused() {
     let place = Place::with_scene();
@@ -31,5 +33,21 @@ fn one_number_is_not_two_axes_under_two_names() {
         let (x, y) = (format!("{x}=1..2:2"), format!("{y}=1..2:2"));
         let said = place.refuses(["map", "scene.toml", "--x", &x, "--y", &y], &["duration"]);
         assert!(said.err.contains("empty part") || said.err.contains("both axes are"), "{said:?}");
+    }
+}
+
+#[test]
+fn a_coordinate_is_no_axis_and_the_error_says_so() {
+    let place = Place::new();
+    place.put("plane.toml", SHIPPED_PLANE);
+    for (key, list) in [
+        ("operator.rest", "operator.rest"),
+        ("operator.rest[1]", "operator.rest"),
+        ("environment.plane.normal[0]", "environment.plane.normal"),
+        ("initial.position", "initial.position"),
+    ] {
+        let axis = format!("{key}=0..1:3");
+        let words = [&format!("`{list}` is a list")[..], "coordinates cannot be mapped"];
+        place.refuses(["map", "plane.toml", "--x", &axis], &words);
     }
 }

@@ -202,3 +202,19 @@ fn a_passive_limit_of_0_has_a_reason() {
     within.ended(0, &["passive, any operator"]);
     assert!(!within.out.contains("no stiffness is passive"), "{}", within.out);
 }
+
+/// A first force that no number holds is told as what it is, and not as no force at all.
+#[test]
+fn a_first_force_beyond_the_range_is_not_called_none() {
+    let place = Place::new();
+    let ball = "duration = 1\nservo_rate = 1000\nspace.dimensions = 3\ndevice.mass = 0.2\n\
+        operator = { stiffness = 200, rest = [0, 0, 0.018] }\n\
+        environment.sphere = { center = [0, 0, 0], radius = 1e306, stiffness = 3000 }\n";
+    place.put("ball.toml", ball);
+    let run = place.run(["run", "ball.toml"]);
+    run.ended(0, &["verdict grows", "why the first force or way leaves the range"]);
+    assert!(!run.out.contains("no force acts"), "{}", run.out);
+    let explained = place.run(["explain", "ball.toml"]);
+    explained.ended(0, &["the first force or way leaves the range", "no force could act"]);
+    assert!(!explained.out.contains("never touched"), "{}", explained.out);
+}

@@ -103,10 +103,15 @@ impl<T: Scalar> Fate<T> {
         self.is_out(lane) || is_judged && self.grows(lane)
     }
 
+    /// Whether every tick was added.
+    pub(crate) fn is_complete(&self) -> bool {
+        self.positions.is_complete()
+    }
+
     /// The verdict on the run of a lane; a run that is not complete has left the range of the numbers.
     pub(crate) fn verdict(&self, lane: usize) -> Verdict {
         Verdict::of(Findings {
-            is_lost: !self.positions.is_complete() || self.is_out(lane),
+            is_lost: !self.is_complete() || self.is_out(lane),
             is_short: self.criteria[lane].shortage.is_some(),
             grows: self.grows(lane),
             settles: self.settles(lane),

@@ -14,6 +14,8 @@ pub const BOUND: f64 = 4.0;
 
 /// The largest V in the last tenth of a run that settles, as a multiple of V at the start: a twentieth of the distance
 /// from rest where V is quadratic.
+///
+/// A V that falls below 0 by more than that has no least value at rest, and says nothing about the distance from it.
 pub const BAND: f64 = 0.0025;
 
 /// The least number of answers of the controller in a run that is judged: the last tenth then has two.
@@ -29,6 +31,7 @@ pub(crate) struct Meter {
     ticks: u64,
     active: u64,
     largest: f64,
+    least: f64,
     tail: f64,
     last: f64,
     effort: f64,
@@ -46,7 +49,7 @@ impl Meter {
         let (expected, is_short) = (last + 1, last < ANSWERS * answer);
         let trace = Trace::new(last);
         let (ticks, active) = (0, 0);
-        let [largest, tail, last, effort, shortfall, taken] = [0.0; 6];
+        let [largest, least, tail, last, effort, shortfall, taken] = [0.0; 7];
         Self {
             expected,
             is_short,
@@ -55,6 +58,7 @@ impl Meter {
             ticks,
             active,
             largest,
+            least,
             tail,
             last,
             effort,
@@ -73,6 +77,7 @@ impl Meter {
         self.ticks += 1;
         self.active += u64::from(tick.alpha > 0.0);
         self.largest = self.largest.max(tick.value);
+        self.least = self.least.min(tick.value);
         self.last = tick.value;
         self.effort = self.effort.max(tick.effort);
         self.shortfall = self.shortfall.max(tick.shortfall);
@@ -82,11 +87,12 @@ impl Meter {
 
     pub(crate) fn finish(self, entrant: Entrant) -> Outcome {
         let complete = self.ticks == self.expected;
+        let is_within = self.largest <= BOUND * self.began && self.least >= -BAND * self.began;
         let told = |value: f64| value.is_finite().then_some(value);
         let score = Score {
             stabilizer: entrant.name(),
             verdict: Verdict::of(Findings {
-                is_lost: !complete || self.largest > BOUND * self.began,
+                is_lost: !complete || !is_within,
                 is_short: self.is_short,
                 grows: false,
                 settles: self.tail <= BAND * self.began,
@@ -109,8 +115,8 @@ impl Meter {
 pub struct Score {
     /// The entrant.
     pub stabilizer: &'static str,
-    /// The verdict on the run, by V: it grows beyond [`BOUND`] times V at the start or out of the range of the scalar, and
-    /// settles within [`BAND`] of V at the start.
+    /// The verdict on the run, by V: it grows beyond [`BOUND`] times V at the start, by a V below 0 or out of the range of
+    /// the scalar, and settles within [`BAND`] of V at the start.
     pub verdict: Verdict,
     /// The largest V.
     #[serde(rename = "v_largest")]
@@ -171,6 +177,20 @@ mod tests {
             verdict(0, 101, move |t| if t == 0.5 { most } else { 1e-9 + (1.0 - t).floor() })
         };
         assert_eq!([3.99, 4.01].map(peak), [Verdict::Settles, Verdict::Grows]);
+    }
+
+    #[test]
+    fn a_v_below_0_has_grown_unless_by_rounding() {
+        let dips = |least: f64| verdict(0, 101, move |t| if t == 0.5 { least } else { 2.0 });
+        assert_eq!(
+            [-0.0049, -0.0051, -32.0].map(dips),
+            [Verdict::Swinging, Verdict::Grows, Verdict::Grows]
+        );
+        let falls = |end: f64| verdict(0, 101, move |t| if t < 0.5 { 2.0 } else { end });
+        assert_eq!(
+            [-1e-9, -0.0051, -32.0].map(falls),
+            [Verdict::Settles, Verdict::Grows, Verdict::Grows]
+        );
     }
 
     #[test]

@@ -132,6 +132,22 @@ pub(crate) fn records<T: Serialize>(records: impl IntoIterator<Item = T>) -> Str
     String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
 }
 
+/// The same, each record after a text in a column called `name`.
+pub(crate) fn named_records<'a, T: Serialize>(
+    name: &str,
+    named: impl IntoIterator<Item = (&'a str, T)>,
+) -> String {
+    let mut named = named.into_iter().peekable();
+    // Names are found for flat records only.
+    let names = named.peek().map(|(_, record)| records([record])).unwrap_or_default();
+    let names = names.lines().next().unwrap_or_default().split(',');
+    let mut writer = ::csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    // Writing to memory never fails.
+    let _ = writer.write_record(std::iter::once(name).chain(names));
+    let _ = named.try_for_each(|record| writer.serialize(record));
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

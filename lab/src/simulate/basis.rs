@@ -78,8 +78,8 @@ fn speed(scene: &Draft) -> f64 {
     axis(0).hypot(axis(1)).hypot(axis(2))
 }
 
-/// The energy that the motion starts with, J; where the hand's rest or grip changes, or nothing comes to rest, that of the
-/// hand's spring at its stiffest, drawn from the start to the farthest rest, and of the speed.
+/// The energy that the motion starts with, J; where the hand's rest or grip changes, or there is not one place to come to
+/// rest at, that of the hand's spring at its stiffest, drawn from the start to the farthest rest, and of the speed.
 fn energy(scene: &Draft) -> f64 {
     let moving = scene.operator.mass.get() + scene.device.mass.get();
     let (pull, speed) = (strongest_pull(scene), speed(scene));
@@ -87,8 +87,8 @@ fn energy(scene: &Draft) -> f64 {
         return 0.5 * moving * speed * speed;
     }
     let about_rest = || farthest(scene).hypot(speed / (pull / moving).sqrt());
-    let settled = (scene.dimensions() == 1 && holds_still(scene)).then(|| Criterion::of(scene));
-    let settled = settled.filter(|it| !it.equilibria.is_empty()).map(|it| it.start);
+    let settled = holds_still(scene).then(|| Criterion::of(scene));
+    let settled = settled.filter(|it| it.equilibria.len() == 1).map(|it| it.start);
     let reach = settled.unwrap_or_else(about_rest);
     0.5 * pull * reach * reach
 }
@@ -152,6 +152,58 @@ mod tests {
             let thrown = energy_of(hand, &format!("{more}\ninitial.velocity = 2.0"));
             assert_relative_eq!(thrown, wanted + 0.2, max_relative = 1e-12);
         }
+    }
+
+    /// A hand that presses along any direction on a plane has the energy of one that presses on a wall on a line.
+    #[test]
+    fn a_hand_before_a_plane_starts_with_the_energy_that_it_has_before_a_wall() {
+        let usual =
+            "duration = 2.0\nservo_rate = 1000.0\ndevice.mass = 0.2\neffects.delay.ticks = 1\n";
+        let hand = |rest: &str| {
+            format!(
+                "operator = {{ mass = 0.1, damping = 1.0, stiffness = 200.0, rest = {rest} }}\n"
+            )
+        };
+        let energy = |text: &str| {
+            let scene = Scene::parse(text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+            Basis::of(&scene).energy
+        };
+        for (at, velocity) in [(0.003, 0.0), (-0.02, 0.0), (-0.02, 0.3)] {
+            let wall = energy(&format!(
+                "{usual}{}initial = {{ position = {at}, velocity = {velocity} }}\n\
+                 environment.wall = {{ position = 0.001, stiffness = 6000.0 }}\n",
+                hand("0.012")
+            ));
+            // At (0.012 · 200 + 0.001 · 6000) N / 6200 N/m.
+            let rest = 0.042 / 31.0;
+            let swing = 200.0 * f64::powi(at - rest, 2) + 0.3 * velocity * velocity;
+            let wanted = 0.5 * swing.max(200.0 * f64::powi(0.012 - rest, 2));
+            assert_relative_eq!(wall, wanted, max_relative = 1e-12);
+            for inward in [[1.0, 0.0], [0.0, -1.0], [0.6, 0.8], [-0.28, 0.96]] {
+                let along = |way: f64| format!("[{:?}, {:?}]", way * inward[0], way * inward[1]);
+                let plane = energy(&format!(
+                    "{usual}{}space.dimensions = 2\n\
+                     initial = {{ position = {}, velocity = {} }}\n\
+                     environment.plane = {{ point = {}, normal = {}, stiffness = 6000.0 }}\n",
+                    hand(&along(0.012)),
+                    along(at),
+                    along(velocity),
+                    along(0.001),
+                    along(-1.0)
+                ));
+                assert_relative_eq!(plane, wall, max_relative = 1e-12);
+            }
+        }
+    }
+
+    /// A box holds a hand in its middle at several faces: there is not one place to draw the spring to.
+    #[test]
+    fn a_hand_that_several_faces_hold_draws_its_spring_to_its_rest() {
+        let text = "duration = 2\nservo_rate = 1000\nspace.dimensions = 2\ndevice.mass = 0.2\n\
+            operator = { stiffness = 200.0, rest = [0.0, 0.0] }\ninitial.position = [0.03, 0.04]\n\
+            environment.box = { center = [0.0, 0.0], half = [0.01, 0.01], stiffness = 6000.0 }\n";
+        let scene = Scene::parse(text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+        assert_relative_eq!(Basis::of(&scene).energy, 0.25, max_relative = 1e-12);
     }
 
     #[test]

@@ -134,7 +134,16 @@ impl Teleoperator {
     /// # Errors
     /// The first broken rule, with its place and what would be right.
     pub fn parse(text: &str, name: &str) -> Result<Self, Diagnostic> {
-        scene::read(&teleoperator_files::BOOK, text, name, |it: Self| it.check().map(|()| it))
+        Self::parse_for(teleoperation::Entrant::ALL, text, name)
+    }
+
+    fn parse_for(
+        entrants: &[teleoperation::Entrant],
+        text: &str,
+        name: &str,
+    ) -> Result<Self, Diagnostic> {
+        let checked = |it: Self| it.check_for(entrants).map(|()| it);
+        scene::read(&teleoperator_files::BOOK, text, name, checked)
     }
 
     /// Reads a teleoperator from a file of at most 1 MiB.
@@ -152,8 +161,19 @@ impl Teleoperator {
     /// # Errors
     /// The first broken rule, and its key.
     pub fn check(&self) -> Result<(), Conflict> {
+        self.check_for(teleoperation::Entrant::ALL)
+    }
+
+    /// The same where only these `entrants` take part: what the others need is not asked for.
+    ///
+    /// # Errors
+    /// Those of [`Teleoperator::check`].
+    fn check_for(&self, entrants: &[teleoperation::Entrant]) -> Result<(), Conflict> {
         self.check_rules()?;
-        teleoperation::Entrant::ALL.iter().copied().try_for_each(|entrant| {
+        if entrants.iter().any(|entrant| entrant.sends_waves()) {
+            self.check_impedance()?;
+        }
+        entrants.iter().copied().try_for_each(|entrant| {
             teleoperation::rig::build(self, entrant).map_err(|refused| self.refusal(refused))
         })
     }
@@ -171,17 +191,18 @@ pub enum Subject {
 }
 
 impl Subject {
-    /// Reads the file once, since it may be a pipe.
+    /// Reads the file once, since it may be a pipe; a teleoperator is checked for these `entrants`.
     ///
     /// # Errors
     /// Those of [`Scene::load`], [`Model::load`] and [`Teleoperator::load`].
-    pub fn load(path: &Path) -> Result<Self, Diagnostic> {
+    pub fn load(path: &Path, entrants: &[teleoperation::Entrant]) -> Result<Self, Diagnostic> {
         let text = scene::text_of(&scene::BOOK, path)?;
         let name = path.display().to_string();
         if Model::is_in(&text) {
             Model::parse(&text, &name).map(|model| Self::Model(Box::new(model)))
         } else if Teleoperator::is_in(&text) {
-            Teleoperator::parse(&text, &name).map(|it| Self::Teleoperator(Box::new(it)))
+            let read = Teleoperator::parse_for(entrants, &text, &name);
+            read.map(|it| Self::Teleoperator(Box::new(it)))
         } else {
             parse_at(&text, path).map(|scene| Self::Scene(Box::new(scene)))
         }

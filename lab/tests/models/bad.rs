@@ -85,6 +85,30 @@ fn a_fault_is_named_with_its_key_its_place_and_its_remedy() {
     }
 }
 
+/// A leg upright, which both limbs would fall out of, on springs in N.m/rad.
+fn upright(springs: &str, initial: &str) -> Result<Model, Diagnostic> {
+    let text = fs::read_to_string(path("prosthetic-leg")).unwrap();
+    let text = text.replacen("[0.3, -0.4, 0.0, 0.0]", initial, 1);
+    let text = text.replacen("[0.3, -0.6]", "[3.0, 0.1]", 1);
+    Model::parse(&text.replacen("[300.0, 150.0]", springs, 1), "test.toml")
+}
+
+#[test]
+fn springs_that_let_a_leg_fall_are_refused_with_what_is_stiff_enough() {
+    // Thigh and shank weigh 17.65 N.m and 5.52 N.m; both are near upright.
+    for initial in ["[0.1, 0.05, 0.0, 0.0]", "[0.0, 0.0, 0.5, 0.0]"] {
+        let fault = upright("[5.0, 5.0]", initial).unwrap_err();
+        let shown = fault.to_string();
+        assert_eq!(fault.key(), Some("controller.proportional"), "{shown}");
+        assert!(shown.contains("= [5.0, 5.0], the springs of V"), "{shown}");
+        assert!(shown.contains("two springs of 24.6"), "{shown}");
+    }
+    assert!(upright("[24.5, 24.5]", "[0.0, 0.0, 0.5, 0.0]").is_err());
+    assert!(upright("[24.7, 24.7]", "[0.0, 0.0, 0.5, 0.0]").is_ok());
+    assert!(upright("[1000.0, 5.5]", "[0.0, 0.0, 0.5, 0.0]").is_err());
+    assert!(upright("[1000.0, 5.8]", "[0.0, 0.0, 0.5, 0.0]").is_ok());
+}
+
 #[test]
 fn a_model_is_not_taken_for_a_scene() {
     for name in crate::models::shipped::NAMES {

@@ -54,6 +54,20 @@ fn every_plant_has_a_shipped_file_and_every_file_a_plant() {
 }
 
 #[test]
+fn a_rendered_mass_other_than_that_of_v_is_told() {
+    let started = |derivative: &str| {
+        let text = fs::read_to_string(path("admittance-device")).unwrap();
+        assert!(text.contains("derivative = -5.0") && text.contains("wanted_mass = 0.2"), "{text}");
+        let text = text.replace("derivative = -5.0", derivative);
+        compared(&Model::parse(&text, "test").unwrap()).sheet().start
+    };
+    assert!(!started("derivative = -5.0").contains("renders"));
+    let told = started("derivative = -2.0");
+    assert!(told.ends_with("V has a mass of 0.2 kg, the controller renders 0.5 kg"), "{told}");
+    assert!(started("").ends_with("the controller renders none"));
+}
+
+#[test]
 fn the_schema_is_what_the_command_prints_and_takes_every_file() {
     let file = fs::read_to_string(path("x").with_file_name("model.schema.json")).unwrap();
     assert_eq!(file, schema_text(), "lyapunov schema model > scenes/models/model.schema.json");

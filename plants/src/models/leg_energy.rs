@@ -13,10 +13,10 @@ use crate::ProstheticLeg;
 /// V = ½ q̇ᵀ M q̇ + ½ k max(0, p)² + U(q) − U(posture) − G(posture) · δ + ½ (k₁ δ₁² + k₂ δ₂²)
 /// ```
 ///
-/// The flow is `q̇` and the apparent mass `M(q)`. `V` is positive away from rest if the springs are stiffer than the
-/// pull of gravity on the limbs; [`laws::lyapunov_function`](lyapunov_core::laws::lyapunov_function) checks it for the
-/// states visited. Without delay, under `u = G(posture) − K δ − D q̇`, `V̇ = −q̇ᵀ D q̇` less what the ground
-/// dissipates.
+/// The flow is `q̇` and the apparent mass `M(q)`. About the posture `V` is positive where the springs are stiffer than
+/// the pull of gravity on the limbs, `diag(k₁, k₂) + ∂G/∂q` positive definite, which [`new`](Self::new) checks; farther
+/// away [`laws::lyapunov_function`](lyapunov_core::laws::lyapunov_function) checks it for the states visited. Without
+/// delay, under `u = G(posture) − K δ − D q̇`, `V̇ = −q̇ᵀ D q̇` less what the ground dissipates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LegEnergy<T> {
     leg: ProstheticLeg<T>,
@@ -27,13 +27,34 @@ impl<T: Scalar> LegEnergy<T> {
     /// The energy of `leg` with springs of `stiffness` at hip and knee, N·m/rad.
     ///
     /// # Errors
-    /// A `stiffness` not above 0 and finite.
+    /// A `stiffness` not above 0 and finite; springs that in some lane do not hold the posture against gravity: the error
+    /// has the softer one, and the number above which both hold it.
     pub fn new(leg: ProstheticLeg<T>, stiffness: [T; 2]) -> Result<Self, ParameterError> {
         for spring in stiffness {
             Requirement::Positive.check("stiffness", spring)?;
         }
+        for lane in 0..T::LANES {
+            let [[first, coupling], [_, second]] = slope_of_gravity(&leg, lane);
+            let [hip, knee] = stiffness.map(|spring| spring.lane(lane));
+            let both = (hip + first) * (knee + second) - coupling * coupling;
+            if hip + first <= 0.0 || both <= 0.0 {
+                let (middle, apart) = (0.5 * (first + second), 0.5 * (first - second));
+                // Minus the least eigenvalue.
+                let least = libm::hypot(apart, coupling) - middle;
+                let (value, requirement) = (hip.min(knee), Requirement::AtLeast(least));
+                return Err(ParameterError { parameter: "stiffness", value, requirement });
+            }
+        }
         Ok(Self { leg, stiffness })
     }
+}
+
+/// `∂G/∂q` in the posture, the second derivatives of the potential energy of both limbs, N·m/rad: each limb weighs
+/// `w cos(angle)`, and the shank's angle is the sum of those of both joints.
+fn slope_of_gravity<T: Scalar>(leg: &ProstheticLeg<T>, lane: usize) -> [[f64; 2]; 2] {
+    let [thigh, shank] =
+        [0, 1].map(|limb| (leg.arm.weights[limb] * leg.upright[limb][1]).lane(lane));
+    [[thigh + shank, shank], [shank, shank]]
 }
 
 impl<T: Scalar> LyapunovFunction<SVector<T, 4>> for LegEnergy<T> {

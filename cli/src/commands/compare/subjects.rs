@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use lyapunov_lab::Scene;
 use lyapunov_lab::compare::{Compared, Names, RunError, Sheet, Subject, page};
 use lyapunov_lab::models::Model;
-use lyapunov_lab::teleoperation::Teleoperator;
+use lyapunov_lab::teleoperation::{self, Teleoperator};
 
-use super::{Compare, RESULTS, names};
+use super::{Compare, RESULTS, ROWS, names};
 use crate::commands::folder::Folder;
 use crate::commands::left_out::LeftOut;
 use crate::commands::results::{self, Results, command_line};
@@ -22,12 +22,16 @@ pub(super) enum Subjects {
 }
 
 impl Subjects {
-    /// Reads files, which must all be of one kind, as far as they can be read.
-    pub(super) fn load(paths: &[PathBuf], left_out: &mut LeftOut) -> Result<Self, End> {
+    /// Reads files, which must all be of one kind, as far as they can be read; `entrants` are those of teleoperators.
+    pub(super) fn load(
+        paths: &[PathBuf],
+        entrants: &Names<teleoperation::Entrant>,
+        left_out: &mut LeftOut,
+    ) -> Result<Self, End> {
         let (mut scenes, mut models, mut teleoperators) = (Vec::new(), Vec::new(), Vec::new());
         for path in paths {
             let name = named(path);
-            match left_out.unless(Subject::load(path).map_err(End::input))? {
+            match left_out.unless(Subject::load(path, entrants).map_err(End::input))? {
                 Some(Subject::Scene(scene)) => scenes.push((name, *scene)),
                 Some(Subject::Model(model)) => models.push((name, *model)),
                 Some(Subject::Teleoperator(it)) => teleoperators.push((name, *it)),
@@ -67,8 +71,9 @@ pub(super) fn run<C: Compared>(
     }
     let entrants: Names<C::Entrant> = asked.entrants()?.unwrap_or_default();
     let inputs = Inputs::of("a compared file", &asked.scenes);
-    let files_of = names(files.iter().map(|(name, _)| &name[..]));
+    let files_of = beside_rows(files.iter().map(|(name, _)| &name[..]));
     let rows = files_of.iter().map(|name| format!("{name}.csv"));
+    let rows = rows.chain([ROWS.to_owned()]);
     let outputs = results::names(RESULTS, &files_of, rows);
     let folder = Folder::asked(asked.out.as_deref(), outputs, &inputs)?;
     let ticks: u64 = files.iter().map(|(_, file)| C::ticks(file)).sum();
@@ -84,22 +89,29 @@ pub(super) fn run<C: Compared>(
         error => End::internal(error),
     })?;
     bar.finish_and_clear();
-    let text = C::document(&comparisons).map_err(End::internal)?;
+    let text = C::document(&comparisons, left_out.reasons()).map_err(End::internal)?;
     let sheets: Vec<Sheet> = comparisons.iter().map(C::sheet).collect();
     if let Some(folder) = folder {
-        fill::<C>(&folder, &sheets, &text)?;
+        let page = page::<C>(&sheets, left_out.reasons(), &command_line());
+        let results = Results::new(page, RESULTS, &text);
+        fill(&folder, results.with_file(ROWS, C::rows(&comparisons)), &sheets)?;
     }
     let said: Vec<String> = sheets.iter().map(ToString::to_string).collect();
     tell(asked.json, asked.quiet, text, said.join("\n"))?;
     left_out.end()
 }
 
-fn fill<C: Compared>(folder: &Folder<'_>, sheets: &[Sheet], text: &str) -> Result<(), End> {
-    let mut results = Results::new(page::<C>(sheets, &command_line()), RESULTS, text);
-    for (name, sheet) in names(sheets.iter().map(|sheet| &sheet.name[..])).iter().zip(sheets) {
+fn fill(folder: &Folder<'_>, mut results: Results, sheets: &[Sheet]) -> Result<(), End> {
+    let files_of = beside_rows(sheets.iter().map(|sheet| &sheet.name[..]));
+    for (name, sheet) in files_of.iter().zip(sheets) {
         End::if_interrupted()?;
         results = results.with_figure(name, &sheet.figure)?;
         results = results.with_file(format!("{name}.csv"), &sheet.csv[..]);
     }
     folder.fill(results)
+}
+
+/// Names that the files of each file begin with, none of them that of the rows.
+fn beside_rows<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    names(std::iter::once(ROWS).chain(files)).split_off(1)
 }

@@ -5,6 +5,10 @@ use lyapunov::{ParameterError, Requirement};
 use super::model::Model;
 use super::plant::Plant;
 use crate::files::scene::{Conflict, Scalar, check_single, check_ticks};
+use crate::text::found;
+
+/// What a number loses at most where it is shown with four digits.
+const ROUNDING: f64 = 1e-3;
 
 impl Model {
     /// Checks the rules between values, except those of the loop's blocks, which are checked when the loop is built.
@@ -59,18 +63,30 @@ impl Model {
     pub(crate) fn refusal(&self, (key, error): (&'static str, ParameterError)) -> Conflict {
         let scalar = if self.scalar == Scalar::F32 { "f32" } else { "f64" };
         if key == "controller.proportional" {
-            let least = match (&self.plant, error.requirement) {
+            let remedy = match (&self.plant, error.requirement) {
                 (Plant::InvertedPendulum(_), Requirement::AtLeast(least)) => {
                     format!("give {least:?} N.m/rad or more: that is m g l")
+                }
+                (Plant::ProstheticLeg(_), Requirement::AtLeast(least)) => {
+                    let enough = found(least * (1.0 + ROUNDING));
+                    format!(
+                        "gravity pulls the leg out of its posture: two springs of {enough} N.m/rad or more hold it"
+                    )
                 }
                 (Plant::ProstheticLeg(_), _) => "give two numbers above 0".to_owned(),
                 _ => "give numbers of 0 or more".to_owned(),
             };
-            let value = error.value;
-            let problem = format!(
-                "with `{key}` = {value:?}, a spring of V, V is not positive away from rest"
-            );
-            return Conflict::new(key, problem, least);
+            // A leg's springs hold it together.
+            let (value, noun) = match error.requirement {
+                Requirement::AtLeast(_) if self.plant.inputs() > 1 => {
+                    let gains = [0, 1].map(|input| self.controller.proportional.axis(input));
+                    (format!("{gains:?}"), "the springs")
+                }
+                _ => (format!("{:?}", error.value), "a spring"),
+            };
+            let problem =
+                format!("with `{key}` = {value}, {noun} of V, V is not positive away from rest");
+            return Conflict::new(key, problem, remedy);
         }
         Conflict::new(
             key,

@@ -311,7 +311,7 @@ fn lost(key: String, value: f64) -> Conflict {
 }
 
 /// The value of the most unusual size, where any of the values may be wrong.
-fn standing_out(keys: Vec<(&str, f64)>) -> Option<(&str, f64)> {
+pub(crate) fn standing_out(keys: Vec<(&str, f64)>) -> Option<(&str, f64)> {
     let odd = |value: f64| if value > 0.0 { value.log10().abs() } else { 0.0 };
     keys.into_iter().max_by(|one, other| odd(one.1).total_cmp(&odd(other.1)))
 }

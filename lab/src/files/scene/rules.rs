@@ -2,6 +2,7 @@
 
 use super::check::Conflict;
 use super::environments::NAMES;
+use super::keys::example;
 use super::{Draft, Friction, Integrator, Stabilizer, Velocity};
 
 impl Draft {
@@ -114,7 +115,9 @@ impl Draft {
                 ),
                 match dimensions {
                     1 => "give one number, or a table [space] with `dimensions = 2`".to_owned(),
-                    more => format!("give {}, for example {:?}", numbers(more), vec![0.0; more]),
+                    more => {
+                        format!("give {}, for example {:?}", numbers(more), example(&key, more))
+                    }
                 },
             ));
         }

@@ -23,14 +23,23 @@ impl Teleoperator {
                 "give one, so that the run can be repeated: `seed = 1`",
             ));
         }
-        if self.wave_impedance() <= 0.0 {
-            return Err(Conflict::new(
-                "stabilizer.wave-variables.impedance",
-                "without damping in [coordination] there is no impedance for the wave variables",
-                "give one: `impedance = 5.0` in N.s/m in [stabilizer.wave-variables]",
-            ));
-        }
         if self.scalar == Scalar::F32 { check_single(self) } else { Ok(()) }
+    }
+
+    /// Checks that there is an impedance, which wave variables need and nothing else does.
+    ///
+    /// # Errors
+    /// No impedance and no damping that it would follow from.
+    pub(crate) fn check_impedance(&self) -> Result<(), Conflict> {
+        if self.wave_impedance() > 0.0 {
+            return Ok(());
+        }
+        Err(Conflict::new(
+            "coordination.damping",
+            "the wave variables take the damping of [coordination] as their impedance, and it is 0",
+            "give `damping = 5.0` in N.s/m there, or `impedance = 5.0` in [stabilizer.wave-variables], \
+             or leave the wave variables out of --stabilizers",
+        ))
     }
 
     fn check_start(&self) -> Result<(), Conflict> {
@@ -41,7 +50,8 @@ impl Teleoperator {
         Err(Conflict::new(
             "master.start",
             format!("the hand's spring stores {stored:?} J at this start"),
-            "energies are compared with that: give a start in m that is not 0, for example `start = -0.01`",
+            "energies are compared with that: give a start and a stiffness whose energy is above 0 and finite, for \
+             example `start = -0.01` and `hand_stiffness = 100.0`",
         ))
     }
 

@@ -18,7 +18,7 @@ pub struct Master {
     pub damping: NonNegative,
     /// Stiffness of the hand's spring in N/m, at rest at 0, greater than 0; required.
     pub hand_stiffness: Positive,
-    /// Position of master and slave at t = 0, in m, other than 0; required.
+    /// Position of master and slave at t = 0, in m, other than 0, so that the hand's spring stores energy; required.
     pub start: Finite,
 }
 
@@ -53,7 +53,7 @@ pub struct Wall {
 pub struct Coordination {
     /// Stiffness in N/m, greater than 0; required.
     pub stiffness: Positive,
-    /// Damping in N.s/m, 0 or more; default 0.
+    /// Damping in N.s/m, 0 or more; default 0, with which wave variables need an impedance of their own.
     #[serde(default)]
     pub damping: NonNegative,
 }

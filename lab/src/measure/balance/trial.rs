@@ -27,6 +27,8 @@ const BREATH: u64 = 1 << 14;
 pub(crate) struct Trial {
     pub(crate) verdict: Verdict,
     pub(crate) verdict_by: Yardstick,
+    /// Whether it left the range of the numbers.
+    pub(crate) left_range: bool,
     pub(crate) whole: Balance,
     pub(crate) first: Option<Balance>,
     /// The magnitudes of all energies moved and, tick by tick, stored, J: what rounding is to be measured by.
@@ -85,8 +87,9 @@ impl Trial {
         let (whole, first) = account.finish();
         let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };
         let (verdict, verdict_by) = (fate.verdict(0), fate.verdict_by(0));
-        let (feel, look_at) = (Feel { peak, error }, signs.finish(scene));
-        Ok(Self { verdict, verdict_by, whole, first, moved, feel, look_at })
+        let (left_range, look_at) = (!fate.is_complete(), signs.finish(scene));
+        let feel = Feel { peak, error };
+        Ok(Self { verdict, verdict_by, left_range, whole, first, moved, feel, look_at })
     }
 
     /// Runs `scene`, reporting to `watch`; none if the run grows, or if the loop is linear, has no stabilizer and does not

@@ -1,7 +1,7 @@
 //! The way from a teleoperator to its loop.
 
 use lyapunov::{
-    self as library, DampingLimit, ParameterError, Popc, PortEnergy, Scalar,
+    self as library, DampingLimit, ParameterError, Popc, PortEnergy, Requirement, Scalar,
     bodies::{Body, Impedance, IntegratedPlant},
     channels::{ConstantDelay, LossyChannel, VaryingDelay},
     integrators::{EventLocating, Exact, WalledOscillator},
@@ -13,7 +13,7 @@ use lyapunov::{
 
 use super::entrant::Entrant;
 use super::link::{Layers, Link, Message, Velocities, Waves};
-use crate::files::scene::Seed;
+use crate::files::scene::{Seed, standing_out};
 use crate::files::teleoperation::{Channel, Teleoperator, Wall};
 use crate::simulate::building::AnyPlant;
 
@@ -31,14 +31,25 @@ pub(super) fn master<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refu
     let it = file.master;
     let (mass, damping) = (T::of(it.mass.get()), T::of(it.damping.get()));
     let parts = Impedance { mass, damping, stiffness: T::of(it.hand_stiffness.get()) };
-    let body = Body::<T>::new(parts, period(file)).map_err(in_table("master.mass"))?;
+    let refused = among([
+        ("master.mass", it.mass.get()),
+        ("master.damping", it.damping.get()),
+        ("master.hand_stiffness", it.hand_stiffness.get()),
+        ("servo_rate", file.servo_rate.get()),
+    ]);
+    let body = Body::<T>::new(parts, period(file)).map_err(refused)?;
     Ok(AnyPlant::new(body.starting(T::of(it.start.get()), T::of(0.0))))
 }
 
 /// The slave, with the wall in front of it as one piecewise motion.
 pub(super) fn slave<T: Scalar>(file: &Teleoperator) -> Result<AnyPlant<T>, Refused> {
     let it = file.slave;
-    let refused = in_table("slave.mass");
+    let refused = among([
+        ("slave.mass", it.mass.get()),
+        ("slave.damping", it.damping.get()),
+        ("slave.wall.stiffness", it.wall.map_or(1.0, |wall| wall.stiffness.get())),
+        ("servo_rate", file.servo_rate.get()),
+    ]);
     let (mass, damping) = (T::of(it.mass.get()), T::of(it.damping.get()));
     let parts = Impedance { mass, damping, stiffness: T::of(0.0) };
     let (start, rest) = (T::of(file.master.start.get()), T::of(0.0));
@@ -89,14 +100,20 @@ pub(super) fn link<T: Scalar>(
     file: &Teleoperator,
     entrant: Entrant,
 ) -> Result<Box<dyn Link<T>>, Refused> {
-    let refused = in_table("stabilizer.damping_cap");
     let (cap, period) = (T::of(file.stabilizer.damping_cap.get()), period::<T>(file));
+    let rate = ("servo_rate", file.servo_rate.get());
     let (stiffness, damping) = (file.coordination.stiffness.get(), file.coordination.damping.get());
     let damper = DampingLimit::of_mass(cap, T::of(file.master.mass.get()), period);
     // A held velocity meets a damper at once, as it meets a spring of B / T within a tick.
     let stiffness = T::of(stiffness) + T::of(damping) / period;
     let mobility = DampingLimit::of_stiffness(cap, stiffness, period);
-    let (damper, mobility) = (damper.map_err(&refused)?, mobility.map_err(refused)?);
+    let mass = ("master.mass", file.master.mass.get());
+    let springs = [
+        ("coordination.stiffness", file.coordination.stiffness.get()),
+        ("coordination.damping", file.coordination.damping.get()),
+    ];
+    let damper = damper.map_err(among([mass, rate]))?;
+    let mobility = mobility.map_err(among([springs[0], springs[1], rate]))?;
     Ok(match entrant {
         Entrant::None => {
             Box::new(Velocities { master: Box::new(NoStabilizer), slave: Box::new(NoStabilizer) })
@@ -153,6 +170,15 @@ fn waves<T: Scalar>(file: &Teleoperator, damping: f64, time: f64) -> Result<Wave
 /// The servo period, s.
 pub(super) fn period<T: Scalar>(file: &Teleoperator) -> T {
     T::of(file.servo_rate.get().recip())
+}
+
+/// The number that stands out among those that a block was made of, whichever of them it names.
+fn among<const N: usize>(numbers: [(&'static str, f64); N]) -> impl Fn(ParameterError) -> Refused {
+    move |error| {
+        let (parameter, value) =
+            standing_out(numbers.to_vec()).unwrap_or((error.parameter, error.value));
+        (parameter, ParameterError { parameter, value, requirement: Requirement::InRange })
+    }
 }
 
 fn in_table(key: &'static str) -> impl Fn(ParameterError) -> Refused {

@@ -29,6 +29,11 @@ impl Entrant {
     pub(crate) fn is_held_to_the_command(self) -> bool {
         self != Self::TwoLayer
     }
+
+    /// Whether it sends waves, which have an impedance.
+    pub(crate) fn sends_waves(self) -> bool {
+        matches!(self, Self::Waves | Self::MatchedWaves | Self::FilteredWaves)
+    }
 }
 
 impl Named for Entrant {

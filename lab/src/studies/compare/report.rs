@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::table::{Setting, equal_names, tables};
 use super::{Broken, Column, Comparison, Score};
-use crate::show::beside::beside;
+use crate::show::beside::{beside, unfit};
 use crate::show::csv::{self, Field};
 use crate::show::html;
 use crate::show::verdict::by_speed;
@@ -21,10 +21,7 @@ pub fn report(
     let broken = Broken::of(&all);
     let body = html! {
         p { "By " (html::maker(command)) ". A " code { "-" } " stands where a column does not apply." }
-        @if !left_out.is_empty() {
-            h2 { "Left out" }
-            ul { @for reason in left_out { li { (reason) } } }
-        }
+        (unfit(left_out))
         @if comparisons.len() > 1 {
             ul {
                 @for (index, (one, _)) in comparisons.iter().enumerate() {

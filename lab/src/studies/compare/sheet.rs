@@ -6,6 +6,7 @@ use lyapunov_figures::Figure;
 use maud::html;
 
 use super::compared::Compared;
+use crate::show::beside::{beside, unfit};
 use crate::show::html;
 use crate::show::table::Table;
 
@@ -35,17 +36,21 @@ impl fmt::Display for Sheet {
     }
 }
 
-/// The `sheets` of comparisons `C` as a page, in HTML; `command` made them.
-pub fn page<C: Compared>(sheets: &[Sheet], command: &str) -> String {
+/// The `sheets` of comparisons `C` as a page, in HTML; `command` made them, and `left_out` has the files that did not fit, with
+/// the reasons.
+pub fn page<C: Compared>(sheets: &[Sheet], left_out: &[String], command: &str) -> String {
+    let rows = format!("a row for each {} and stabilizer", C::NOUN);
     let body = html! {
         p { "By " (html::maker(command)) "." }
-        p { (C::ABOUT) " All numbers are in " code { "compare.json" } "." }
+        p { (C::ABOUT) }
+        (unfit(left_out))
         @for sheet in sheets {
             h2 { (sheet.name) }
             p { (sheet.start) "." }
             (html::figure(None, &sheet.figure, &html! { (sheet.caption) }))
             @for table in &sheet.tables { (table.to_html("short")) }
         }
+        (beside(&[("compare.csv", &rows), ("compare.json", "the same, and the settings")]))
     };
     html::page(C::TITLE, &body)
 }
@@ -69,9 +74,9 @@ mod tests {
             caption: "",
             csv: String::new(),
         };
-        let page = page::<Comparison>(&[sheet], hostile);
+        let page = page::<Comparison>(&[sheet], &[hostile.to_owned()], hostile);
         assert!(!page.contains("<img"), "{page}");
-        // Command, name, start, heading and cell, and the drawing's title, which occurs twice.
-        assert_eq!(page.matches("&lt;img src=x onerror=alert(1)&gt;&amp;").count(), 7, "{page}");
+        // Command, reason, name, start, heading and cell, and the drawing's title, which occurs twice.
+        assert_eq!(page.matches("&lt;img src=x onerror=alert(1)&gt;&amp;").count(), 8, "{page}");
     }
 }

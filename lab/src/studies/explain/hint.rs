@@ -5,6 +5,10 @@ use std::fmt;
 use crate::measure::{Limits, LinearPart, Summary, Verdict};
 use crate::text::{found, given};
 
+/// The reason where a run left the range of the numbers and no force had acted.
+pub(super) const LEFT: &str =
+    "the first force or way leaves the range of the numbers: a value is far too large";
+
 /// The reason why a run grows: its `Display` gives it in two lines, and nothing for another run.
 #[derive(Clone, Debug)]
 pub struct Hint<'a>(&'a Summary);
@@ -18,6 +22,9 @@ impl<'a> Hint<'a> {
     /// The reason, as far as a formula gives one, in the words of [`Explanation`](super::Explanation).
     fn reason(&self) -> String {
         if !self.0.acts() {
+            if self.0.left_range().is_some() {
+                return LEFT.to_owned();
+            }
             return "no force acts in this run: the loop is not what drives it".to_owned();
         }
         if let Some(unpaid) = self.unpaid() {

@@ -31,6 +31,8 @@ pub struct Explanation {
     pub verdict: Verdict,
     /// The quantity that its run is judged by.
     pub verdict_by: Yardstick,
+    /// Whether the run left the range of the numbers.
+    pub left_range: bool,
     /// The limits of its stiffness, by formula.
     pub limits: Limits,
     /// The dimensionless groups that it depends on.
@@ -85,6 +87,7 @@ impl Explanation {
             scene: scene.clone(),
             verdict: trial.verdict,
             verdict_by: trial.verdict_by,
+            left_range: trial.left_range,
             limits,
             groups: DimensionlessGroups::of(scene),
             first_contact: trial.first,

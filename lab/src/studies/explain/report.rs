@@ -24,7 +24,7 @@ impl Explanation {
                     (html::figure(Some("energy"), &self.figure(name), &caption))
                     (self.balances(first).to_html("short"))
                 }
-                None => p { "The environment was never touched." }
+                None => p { "No contact: " (self.untouched()) "." }
             }
             h2 { "What helps" }
             (self.help())

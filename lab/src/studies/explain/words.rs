@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::hint::broken;
+use super::hint::{LEFT, broken};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::measure::{Balance, Verdict};
 use crate::show::described;
@@ -23,9 +23,7 @@ impl fmt::Display for Explanation {
             return match self.peak_force != 0.0 {
                 true if grows => writeln!(f, "\n  nothing that was tried helps"),
                 true => Ok(()),
-                false => {
-                    writeln!(f, "\n  no force acts in this run, so no change of the loop was tried")
-                }
+                false => writeln!(f, "\n  {}, so no change of the loop was tried", self.idle()),
             };
         }
         writeln!(f, "\n  what helps, each by itself; all were run, and none grows")?;
@@ -111,10 +109,22 @@ impl Explanation {
         )
     }
 
+    /// The reason why there is no contact.
+    pub(super) fn untouched(&self) -> &'static str {
+        if self.is_beyond() { LEFT } else { "the environment was never touched" }
+    }
+
+    fn idle(&self) -> &'static str {
+        if self.is_beyond() { "no force could act" } else { "no force acts in this run" }
+    }
+
+    fn is_beyond(&self) -> bool {
+        self.left_range && self.peak_force == 0.0
+    }
+
     fn write_balances(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(first) = &self.first_contact else {
-            writeln!(f, "  the environment was never touched")?;
-            return Ok(());
+            return writeln!(f, "  {}", self.untouched());
         };
         f.write_str(&textwrap::indent(&self.balances(first).to_string(), "  "))?;
         let (leak, energy) = first.largest_leak();

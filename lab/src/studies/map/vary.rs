@@ -40,6 +40,14 @@ impl Vary {
     /// The number that `axis` names in the scene with the TOML tree `tree`.
     pub(super) fn of(axis: &Axis, tree: &Value) -> Result<Self, VaryError> {
         let key = axis.key.as_str();
+        let (list, _) = key.split_once('[').unwrap_or((key, ""));
+        if let Some(Value::Array(_)) = find(tree, list) {
+            let problem = format!("`{list}` is a list");
+            return Err(VaryError::new(
+                problem,
+                "give a single number: coordinates cannot be mapped",
+            ));
+        }
         let is_whole = match find(tree, key) {
             Some(Value::Integer(_)) => true,
             Some(Value::Float(_)) => false,

@@ -127,6 +127,7 @@ const TOUCHING: &[Case] = &[
 #[rustfmt::skip]
 const IN_A_PLANE: &[Case] = &[
     ("[environment.plane]\npoint = [0, 0, 0]\nnormal = [0, 1]\nstiffness = 1", "environment.plane.point", "point", &["a list of 3 numbers", "2 dimensions", "[0.0, 0.0]"]),
+    ("[environment.plane]\npoint = [0, 0]\nnormal = [0, 1, 0]\nstiffness = 1", "environment.plane.normal", "normal", &["a list of 3 numbers", "for example [0.0, 1.0]"]),
     ("[environment.plane]\npoint = [0, 0]\nnormal = [0, 0]\nstiffness = 1", "environment.plane.normal", "normal", &["0 along every axis", "direction"]),
     ("[environment.plane]\npoint = [0, 0]\nnormal = [0, nan]\nstiffness = 1", "environment.plane.normal[1]", "normal", &["must be finite", "NaN"]),
     ("[environment.plane]\npoint = [0, 0]\nstiffness = 1", "environment.plane.normal", "[environment.plane]", &["missing key"]),
@@ -135,6 +136,7 @@ const IN_A_PLANE: &[Case] = &[
     ("[environment.sphere]\ncenter = 0.5\nradius = 1\nstiffness = 1", "environment.sphere.center", "center", &["one number", "2 dimensions"]),
     ("[environment.box]\ncenter = [0, 0]\nhalf = [1, 0]\nstiffness = 1", "environment.box.half[1]", "half", &["greater than 0"]),
     ("[environment.box]\ncenter = [0, 0]\nhalf = [1]\nstiffness = 1", "environment.box.half", "half", &["2 dimensions"]),
+    ("[environment.box]\ncenter = [0, 0]\nhalf = [1, 1, 1]\nstiffness = 1", "environment.box.half", "half", &["2 dimensions", "for example [0.02, 0.01]"]),
     ("[environment.box]\ncenter = [0, 0]\nhalf = []\nstiffness = 1", "environment.box.half", "half", &["2 dimensions"]),
     ("[environment.box]\ncenter = [0, 0]\nhalf = [1, 1]\nstiffness = -1", "environment.box.stiffness", "stiffness", &["0 or greater", "-1.0"]),
 ];
@@ -143,6 +145,7 @@ const IN_A_PLANE: &[Case] = &[
 const BESIDE_A_PLANE: &[Case] = &[
     ("[operator]\nmass = 0.1\n[link]\nstiffness = 9\n[effects.friction]\ncoulomb = 0.1", "effects.friction", "[effects.friction]", &["2 dimensions", "one mass", "`link`", "leave out the friction"]),
     ("[initial]\nvelocity = 0.1", "initial.velocity", "velocity", &["one number", "2 dimensions", "a list of 2 numbers"]),
+    ("[stabilizer.directed-damping]\ndirection = [1, 0, 0]", "stabilizer.directed-damping.direction", "direction", &["a list of 3 numbers", "for example [1.0, 1.0]"]),
     ("[operator]\nrest = [0, 0, 0]", "operator.rest", "rest", &["a list of 3 numbers"]),
 ];
 

@@ -13,6 +13,9 @@ struct Document<'a> {
     band: f64,
     models: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
+    /// The files that did not fit, with the reasons.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    left_out: &'a [String],
 }
 
 /// Values that all rows of a model share.
@@ -35,8 +38,8 @@ struct Line<'a> {
     score: &'a Score,
 }
 
-/// The comparisons as JSON; docs/any-plant.md lists the keys.
-pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
+/// The comparisons as JSON, and the files that were `left_out` with the reasons; docs/any-plant.md lists the keys.
+pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> serde_json::Result<String> {
     let models = comparisons.iter().map(|Comparison { name, model, began, .. }| {
         let (plant, cap) = (&model.plant, model.stabilizer.damping_cap.get());
         Circumstances {
@@ -52,7 +55,12 @@ pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
     let rows = comparisons.iter().flat_map(|comparison| {
         comparison.scores().map(|score| Line { model: &comparison.name, score })
     });
-    let document =
-        Document { bound: BOUND, band: BAND, models: models.collect(), rows: rows.collect() };
+    let document = Document {
+        bound: BOUND,
+        band: BAND,
+        models: models.collect(),
+        rows: rows.collect(),
+        left_out,
+    };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }

@@ -1,9 +1,13 @@
 //! The model in words, and its table.
 
 use super::comparison::Comparison;
+use crate::files::models::{Model, Plant};
 use crate::measure::models::{BAND, BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{found, given};
+
+/// Rounding of one over a gain as it is written.
+const ROUNDING: f64 = 1e-3;
 
 pub(super) fn of(comparison: &Comparison) -> Table {
     let plant = &comparison.model.plant;
@@ -47,13 +51,31 @@ pub(super) fn start(comparison: &Comparison) -> String {
         format!("damping cap {} m / T", given(cap))
     };
     let unit = spaced(comparison.model.plant.unit_of_value());
-    format!(
+    let mut start = format!(
         "V = {}{unit} at the start; grows above {} times that, settles within {} of it; {cap}, decay {} 1/s",
         found(comparison.began),
         given(BOUND),
         given(BAND),
         given(stabilizer.decay.get())
-    )
+    );
+    if let Some([wanted, rendered]) = masses(&comparison.model) {
+        let rendered = match rendered.is_finite() {
+            true => format!("{} kg", found(rendered)),
+            false => "none".to_owned(),
+        };
+        start +=
+            &format!("; V has a mass of {} kg, the controller renders {rendered}", given(wanted));
+    }
+    start
+}
+
+/// The mass in the V of an admittance device, and the one that its controller renders, where these are two.
+fn masses(model: &Model) -> Option<[f64; 2]> {
+    let Plant::AdmittanceDevice(device) = &model.plant else { return None };
+    let wanted = device.wanted_mass.get();
+    // Infinite without this gain: the device does not yield.
+    let rendered = -model.controller.derivative.axis(0).recip();
+    ((rendered / wanted - 1.0).abs() > ROUNDING).then_some([wanted, rendered])
 }
 
 fn spaced(unit: &str) -> String {

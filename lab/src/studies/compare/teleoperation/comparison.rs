@@ -66,8 +66,15 @@ impl Compared for Comparison {
         }
     }
 
-    fn document(comparisons: &[Self]) -> serde_json::Result<String> {
-        document::of(comparisons)
+    fn document(comparisons: &[Self], left_out: &[String]) -> serde_json::Result<String> {
+        document::of(comparisons, left_out)
+    }
+
+    fn rows(comparisons: &[Self]) -> String {
+        let rows = comparisons
+            .iter()
+            .flat_map(|comparison| comparison.scores().map(|score| (&comparison.name[..], score)));
+        csv::named_records(Self::NOUN, rows)
     }
 }
 

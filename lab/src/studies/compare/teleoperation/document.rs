@@ -14,6 +14,9 @@ struct Document<'a> {
     band: f64,
     teleoperators: Vec<Circumstances<'a>>,
     rows: Vec<Line<'a>>,
+    /// The files that did not fit, with the reasons.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    left_out: &'a [String],
 }
 
 /// Values that all rows of a teleoperator share.
@@ -45,8 +48,8 @@ struct Line<'a> {
     score: &'a Score,
 }
 
-/// The comparisons as JSON; docs/teleoperation.md lists the keys.
-pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
+/// The comparisons as JSON, and the files that were `left_out` with the reasons; docs/teleoperation.md lists the keys.
+pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> serde_json::Result<String> {
     let teleoperators = comparisons.iter().map(|Comparison { name, file, .. }| {
         let (cap, layers) = (file.stabilizer.damping_cap.get(), file.layers());
         Circumstances {
@@ -74,6 +77,7 @@ pub(super) fn of(comparisons: &[Comparison]) -> serde_json::Result<String> {
         band: BAND,
         teleoperators: teleoperators.collect(),
         rows: rows.collect(),
+        left_out,
     };
     serde_json::to_string_pretty(&document).map(|text| text + "\n")
 }
