@@ -60,7 +60,7 @@ impl Recording {
                         let (time, line) = (sample.t, last.line);
                         let reason = Reason::Order { time, last: last.t, line };
                         return Err(
-                            LogError::at(name, sample.line, &reason).with_help(reason.remedy())
+                            LogError::at(name, sample.line, reason).with_help(reason.remedy())
                         );
                     }
                     signs.add(&sample);
