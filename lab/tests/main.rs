@@ -13,6 +13,7 @@ mod identify;
 mod integrators;
 mod lanes;
 mod late_cap;
+mod logs;
 mod loops;
 mod map;
 mod map_cells;

@@ -269,10 +269,48 @@ fn a_made_log_shows_each_sign() {
     shows(&alone(&|_, v| -2.0 * v), Sign::Reversed, &["2 N.s/m of v"]);
     let still: String = (0..50).map(|n| format!("{}e-3,0.5,3\n", n)).collect();
     shows(&of_log(&format!("t,x,f\n{still}"), "t,x,f", &[]), Sign::Idle, &["all 50 rows"]);
-    // A jump is told with its place, whichever its cause.
-    let jump = log.replace("\n0.313,0.0", "\n0.313,0.9");
-    assert_ne!(jump, log);
-    shows(&of_log(&jump, "t,x,f", &[]), Sign::Unit, &["faster than any hand", "at 0.314 s"]);
+    // A jump is told with its place, whichever its cause; one out and back is a bad reading.
+    let moved = |rows: std::ops::Range<usize>, by: f64| {
+        changed(&log, |row, x, f| (if rows.contains(&row) { x + by } else { x }, f))
+    };
+    let lasting = of_log(&moved(314..320, -0.9), "t,x,f", &[]);
+    shows(&lasting, Sign::Unit, &["faster than any hand", "at 0.314 s"]);
+    let jump = of_log(&moved(313..314, 0.9), "t,x,f", &[]);
+    shows(&jump, Sign::Reading, &["x jumps by ", "mm for one row at t = 0.313 s", "a bad reading"]);
+    let small = of_log(&moved(700..701, -0.004), "t,x,f", &[]);
+    shows(&small, Sign::Reading, &["x jumps by -4.", "mm for one row at t = 0.7 s"]);
+    assert_eq!(of_log(&moved(700..701, -0.0005), "t,x,f", &[]), []);
+}
+
+/// A log with position and force of each row changed.
+fn changed(log: &str, change: impl Fn(usize, f64, f64) -> (f64, f64)) -> String {
+    let row = |(at, line): (usize, &str)| {
+        let fields: Vec<f64> = line.split(',').map(|it| it.parse().unwrap()).collect();
+        let (x, f) = change(at, fields[1], fields[2]);
+        format!("{},{x},{f}\n", fields[0])
+    };
+    format!("t,x,f\n{}", log.lines().skip(1).enumerate().map(row).collect::<String>())
+}
+
+/// The wall is touched in less than half of the rows, and a clipped force or one at rest is no offset.
+#[test]
+fn a_force_that_is_never_0_is_told() {
+    let wall = |x: f64| (400.0 * (x - 0.005)).max(0.0);
+    for offset in [0.3, -0.3] {
+        let log = swing(|x, _| wall(x) + offset);
+        let told = format!("f is {} mN in ", 1e3 * offset);
+        shows(&of_log(&log, "t,x,f", &[]), Sign::Reading, &[&told, "an offset? subtract it"]);
+    }
+    assert_eq!(of_log(&swing(|x, _| wall(x)), "t,x,f", &[]), []);
+    assert_eq!(of_log(&swing(|x, _| (400.0 * (x + 0.03)).min(6.0)), "t,x,f", &[]), []);
+    let rests =
+        changed(
+            &swing(|x, _| 400.0 * (x + 0.03)),
+            |row, x, f| {
+                if row < 500 { (x, f) } else { (0.001, 12.4) }
+            },
+        );
+    assert_eq!(of_log(&rests, "t,x,f", &[]), []);
 }
 
 /// Rows of a log, and the log of them.

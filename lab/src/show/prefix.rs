@@ -1,5 +1,7 @@
 //! Prefix of a unit.
 
+use crate::text::found;
+
 /// Readable unit for a magnitude: its factor from SI, and its prefix.
 pub(crate) fn prefix(largest: f64) -> (f64, &'static str) {
     match largest {
@@ -7,4 +9,10 @@ pub(crate) fn prefix(largest: f64) -> (f64, &'static str) {
         size if size >= 1e-3 => (1e3, "m"),
         _ => (1e6, "µ"),
     }
+}
+
+/// A number with the prefix of its unit that suits it.
+pub(crate) fn prefixed(value: f64, unit: &str) -> String {
+    let (factor, prefix) = prefix(value.abs());
+    format!("{} {prefix}{unit}", found(factor * value))
 }

@@ -6,19 +6,18 @@ const ALIKE: f64 = 0.5;
 /// Likeness of a key and its last parts, which somebody wrote without the tables around them.
 const END: f64 = 0.99;
 
-/// The known word most like this one, if any is like enough.
+/// The known word most like this one, if any is like enough; none where another is as like.
 pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     // A word of a million letters is no misspelling, and comparing it takes long.
     if word.len() > 80 {
         return None;
     }
     let word = plain(word);
-    known
-        .iter()
-        .map(|candidate| (likeness(&word, &plain(candidate)), *candidate))
-        .filter(|(likeness, _)| *likeness >= ALIKE)
-        .max_by(|(one, _), (other, _)| one.total_cmp(other))
-        .map(|(_, candidate)| candidate)
+    let alike = |candidate: &&'a str| (likeness(&word, &plain(candidate)), *candidate);
+    let near = || known.iter().map(alike).filter(|(likeness, _)| *likeness >= ALIKE);
+    let (most, nearest) = near().max_by(|(one, _), (other, _)| one.total_cmp(other))?;
+    let is_twin = |(likeness, candidate)| likeness == most && candidate != nearest;
+    (!near().any(is_twin)).then_some(nearest)
 }
 
 /// The word without the differences that people mix up: case, and the separator between the parts of a word.

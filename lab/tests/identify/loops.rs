@@ -18,6 +18,9 @@ pub(super) struct Truth {
     pub(super) blur: f64,
     /// Ticks by which the force acts late on the device.
     pub(super) late: usize,
+    /// Share of the last velocity in the one that the wall sees, 0 without a filter, and the force that it is clipped at, N.
+    pub(super) filter: f64,
+    pub(super) limit: f64,
     /// Amplitude of a hand that swings its rest at 2 Hz, m.
     pub(super) swing: f64,
 }
@@ -33,6 +36,8 @@ pub(super) const PLAIN: Truth = Truth {
     encoder: 0.0,
     blur: 0.0,
     late: 0,
+    filter: 0.0,
+    limit: f64::INFINITY,
     swing: 0.0,
 };
 
@@ -88,7 +93,7 @@ impl Truth {
         const STEPS: u32 = 10;
         let [place, stiffness, damping] = self.wall;
         let (mut x, mut v) = (-0.004 + 0.004 * chance.even(), 0.0);
-        let (mut last, mut forces) = (None, Vec::new());
+        let (mut last, mut speed, mut forces) = (None, 0.0, Vec::new());
         let mut log = String::from("t,x,f\n");
         for row in 0..rows {
             let time = PERIOD * row as f64;
@@ -96,11 +101,13 @@ impl Truth {
             if self.encoder > 0.0 {
                 seen = (seen / self.encoder).round() * self.encoder;
             }
-            let speed = last.map_or(0.0, |last| (seen - last) / PERIOD);
+            let difference = last.map_or(0.0, |last| (seen - last) / PERIOD);
+            speed = self.filter * speed + (1.0 - self.filter) * difference;
             last = Some(seen);
             let depth = seen - place;
             let force =
                 if depth > 0.0 { (stiffness * depth + damping * speed).max(0.0) } else { 0.0 };
+            let force = force.min(self.limit);
             forces.push(force);
             let told = seen + self.blur * chance.normal();
             writeln!(log, "{time:?},{told:?},{force:?}").unwrap();

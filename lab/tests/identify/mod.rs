@@ -3,4 +3,5 @@
 mod coverage;
 mod loops;
 mod notes;
+mod odd;
 mod simulator;

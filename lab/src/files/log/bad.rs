@@ -30,6 +30,37 @@ pub(crate) enum Reason<'a> {
     TooLong,
 }
 
+impl Reason<'_> {
+    /// Remedy for such a row.
+    pub(crate) fn remedy(&self) -> &'static str {
+        match self {
+            Self::Fields { found, expected } if found > expected => {
+                "every row needs as many fields as the first line; does each row end in a separator?"
+            }
+            Self::Fields { found: 1, .. } => {
+                "every row needs as many fields as the first line; rows and names need the same separator"
+            }
+            Self::Fields { .. } | Self::TooLong => {
+                "every row needs as many fields as the first line; is it cut off?"
+            }
+            Self::Number { role: Role::T, field } if field.contains(&b':') => {
+                "t is a time of day: give t in seconds"
+            }
+            Self::Number { .. } | Self::Mark { .. } => {
+                "write numbers as 0.5 or 5e-1, all with a point or, between semicolons or tabs, all with a comma; \
+                 --columns may be wrong"
+            }
+            Self::Range { .. } => "NaN and infinities are no measurements; --scale may be wrong",
+            Self::Order { time, last, .. } if time == last => {
+                "equal stamps: write t with more digits, or give each row once"
+            }
+            Self::Order { .. } => {
+                "time must increase: sort the log, or cut it where the clock went back"
+            }
+        }
+    }
+}
+
 impl fmt::Display for Reason<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let text = |field| shorten(String::from_utf8_lossy(field).trim());
@@ -96,6 +127,9 @@ pub struct BadRows {
     pub order: u64,
     /// The first ten bad rows.
     pub first: Vec<BadRow>,
+    /// Rows that have the same remedy.
+    #[serde(skip)]
+    remedies: Vec<(&'static str, u64)>,
 }
 
 impl BadRows {
@@ -107,27 +141,33 @@ impl BadRows {
             Reason::Range { .. } => &mut self.range,
             Reason::Order { .. } => &mut self.order,
         } += 1;
+        let remedy = reason.remedy();
+        match self.remedies.iter_mut().find(|it| it.0 == remedy) {
+            Some(it) => it.1 += 1,
+            None => self.remedies.push((remedy, 1)),
+        }
         if self.first.len() < NAMED {
             self.first.push(BadRow { line, reason: reason.to_string() });
         }
     }
 
-    /// Remedy for the most frequent kind.
+    /// Remedy for the most bad rows.
     pub fn remedy(&self) -> Option<&'static str> {
-        let kinds = [
-            (self.fields, "every row needs as many fields as the first line; is it cut off?"),
-            (
-                self.numbers,
-                "write numbers as 0.5 or 5e-1, all with a point or, between semicolons or tabs, all with a comma; \
-                 --columns may be wrong",
-            ),
-            (self.range, "NaN and infinities are no measurements; --scale may be wrong"),
-            (self.order, "time must increase: sort the log, or cut it where the clock went back"),
-        ];
-        kinds
-            .into_iter()
-            .filter(|(count, _)| *count > 0)
-            .max_by_key(|(count, _)| *count)
-            .map(|(_, text)| text)
+        self.remedies.iter().max_by_key(|it| it.1).map(|it| it.0)
+    }
+
+    /// The count, with the `fate` of the rows; the first ten, how many more, and a remedy: a line each. None without bad rows.
+    pub(crate) fn lines(&self, fate: &str) -> Vec<String> {
+        if self.count == 0 {
+            return Vec::new();
+        }
+        let mut lines = vec![format!("{}{fate}", self.count)];
+        lines.extend(self.first.iter().map(|row| format!("line {}: {}", row.line, row.reason)));
+        let more = self.count.saturating_sub(self.first.len() as u64);
+        if more > 0 {
+            lines.push(format!("and {more} more"));
+        }
+        lines.extend(self.remedy().map(|remedy| format!("= {remedy}")));
+        lines
     }
 }

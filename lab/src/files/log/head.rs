@@ -6,7 +6,7 @@ use super::blank;
 use super::columns::Columns;
 use super::error::LogError;
 use super::fields::{BLANK, Fields, delimiter};
-use super::layout::Layout;
+use super::layout::{EXPECTED, Layout};
 use super::lines::{Lines, Next};
 
 /// Layout of a log, and what had to be read below its names to find it.
@@ -28,8 +28,6 @@ impl Head {
         name: &str,
         columns: &Columns,
     ) -> Result<Self, LogError> {
-        const EXPECTED: &str =
-            "give a log of comma-separated values, as text with one row per line";
         let mut found: Option<Self> = None;
         loop {
             let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;

@@ -11,6 +11,10 @@ use crate::text::{nearest, shorten};
 /// The most names that a message lists.
 const LISTED: usize = 12;
 
+/// Remedy for what is no log.
+pub(super) const EXPECTED: &str =
+    "give a log of comma-separated values, as text with one row per line";
+
 /// Places of the requested columns in a row.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
@@ -182,6 +186,12 @@ fn only(
 
 /// Remedy for a column that is not there.
 fn missing(asked: &str, fields: &[&[u8]]) -> String {
+    let is_odd =
+        |field: &&[u8]| field.iter().any(u8::is_ascii_control) || str::from_utf8(field).is_err();
+    let opens = |field: &&[u8]| matches!(field.first(), Some(b'{' | b'[' | b'<'));
+    if fields.len() < 3 || fields.iter().any(is_odd) || fields.first().is_some_and(opens) {
+        return EXPECTED.to_owned();
+    }
     let names: Vec<String> =
         fields.iter().map(|field| String::from_utf8_lossy(field).into_owned()).collect();
     if !fields.is_empty() && fields.iter().all(|field| is_number(field, b';')) {

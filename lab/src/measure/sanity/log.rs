@@ -4,6 +4,7 @@ use lyapunov::accumulators::{Accumulator, Compensated};
 
 use super::fit::Fit;
 use super::hold::Hold;
+use super::reading::{Jump, Offset};
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
 use crate::files::log::{GAP, Sample};
 use crate::text::found;
@@ -28,6 +29,9 @@ const LATE: f64 = 0.5;
 
 /// The most that may go in, as a share of the most that came out, of a port with its sign turned.
 const INTO: f64 = 0.1;
+
+/// Share of bad rows from which on they are told.
+const BAD: f64 = 0.1;
 
 /// Contact threshold as a share of the largest force so far, where no threshold is given.
 pub(crate) const SHARE: f64 = 0.01;
@@ -73,6 +77,8 @@ pub(crate) struct LogSigns {
     touched: u64,
     fit: Fit,
     hold: Hold,
+    jump: Jump,
+    offset: Offset,
     /// Energy by the force of each row, `Σ f v T`, J, and its extremes.
     sampled: f64,
     lowest: f64,
@@ -100,6 +106,8 @@ impl LogSigns {
             touched: 0,
             fit: Fit::default(),
             hold: Hold::default(),
+            jump: Jump::default(),
+            offset: Offset::default(),
             sampled: 0.0,
             lowest: 0.0,
             highest: 0.0,
@@ -129,6 +137,8 @@ impl LogSigns {
         }
         let threshold = self.contact.unwrap_or(SHARE * self.all.force.size);
         self.hold.add(row, threshold);
+        self.jump.add(row);
+        self.offset.add(displacement, force);
         if force.abs() > threshold {
             self.touched += 1;
             if period > 0.0 {
@@ -140,16 +150,33 @@ impl LogSigns {
         self.highest = self.highest.max(self.sampled);
     }
 
-    /// The signs of a log of this median `period`, s.
-    pub(crate) fn finish(&self, period: f64) -> Vec<Oddity> {
+    /// The signs of a log of this median `period`, s, with so many `bad` rows.
+    pub(crate) fn finish(&self, period: f64, bad: u64) -> Vec<Oddity> {
         // A loop that generates energy may end anywhere; what it did before is the hand's.
         let reversed = self.reversed();
         let gives = self.held.value() < 0.0 || reversed.is_some();
         let sizes = if gives { &self.by_hand } else { &self.all };
-        let hold = self.hold.finish();
-        let told =
-            [time(period), motion(sizes), strong(sizes), self.faint(), self.idle(), reversed, hold];
+        // A bad reading moves faster than any hand as well.
+        let moved = self.jump.finish().or_else(|| motion(sizes));
+        let told = [
+            self.bad_rows(bad),
+            time(period),
+            moved,
+            strong(sizes),
+            self.faint(),
+            self.idle(),
+            reversed,
+            self.offset.finish(self.all.force.size),
+            self.hold.finish(),
+        ];
         told.into_iter().flatten().collect()
+    }
+
+    fn bad_rows(&self, bad: u64) -> Option<Oddity> {
+        let all = self.rows + bad;
+        (bad as f64 > BAD * all as f64).then(|| {
+            Oddity::new(Sign::Reading, format!("{bad} of {all} rows are bad and left out"))
+        })
     }
 
     /// A force that nobody feels.

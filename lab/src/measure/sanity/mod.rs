@@ -3,6 +3,7 @@
 mod fit;
 mod hold;
 mod log;
+mod reading;
 mod run;
 mod scene;
 
@@ -27,6 +28,8 @@ pub enum Sign {
     Idle,
     /// A force does not act from its row of a log until the next.
     Hold,
+    /// A reading of a log looks bad.
+    Reading,
     /// A stabilizer stands before an environment that it does not assume.
     Outside,
 }

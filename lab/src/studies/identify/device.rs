@@ -11,6 +11,9 @@ use super::recording::Recording;
 use super::stretch::Stretch;
 use crate::files::log::LogError;
 
+/// Fewest rows that a fit is told of.
+const FEWEST: usize = 50;
+
 /// Most rows by which the force may act late.
 const LAGS: usize = 8;
 
@@ -26,6 +29,11 @@ const STRETCH: usize = 32;
 
 /// Factor by which the whole log may fit worse than short stretches do before something unknown is said to push.
 const WORSE: f64 = 2.0;
+
+/// Factor by which the whole log may fit worse than the steps of its positions ask for, and the likeness of the errors of
+/// neighbouring rows from which on something other than the steps makes them: theirs are alike only where `x` stands.
+const COARSE: f64 = 2.0;
+const ALIKE: f64 = 0.5;
 
 /// Share of the way from the least to the largest position below which nothing but rounding is left.
 const ROUNDING: f64 = 1e-9;
@@ -53,6 +61,8 @@ pub(super) struct Device {
     pub(super) short_error: f64,
     /// Whether something pushes that the log does not hold.
     pub(super) is_pushed: bool,
+    /// The error of the steps of the positions alone, m, where the whole log leaves far more of them, row after row alike.
+    pub(super) unlike: Option<f64>,
 }
 
 /// Reason why a log tells no mass.
@@ -65,7 +75,8 @@ pub(super) enum Fault {
 }
 
 impl Fault {
-    pub(super) fn about(self, name: &str) -> LogError {
+    /// The refusal of the log called `name`, which has so many `gaps`.
+    pub(super) fn about(self, name: &str, gaps: usize) -> LogError {
         let (fault, remedy) = match self {
             Self::Short => (
                 "too few rows without a gap",
@@ -81,6 +92,12 @@ impl Fault {
                 "record firmer or longer contacts; check the sign of f (--scale f=-1) and its unit",
             ),
         };
+        let cut = matches!(self, Self::Short | Self::NoMass) && gaps > 0;
+        let remedy = match (cut, gaps) {
+            (false, _) => remedy.to_owned(),
+            (true, 1) => format!("a gap cuts the log: record every row; {remedy}"),
+            (true, _) => format!("{gaps} gaps cut the log: record every row; {remedy}"),
+        };
         LogError::about(name, fault).with_help(remedy)
     }
 }
@@ -88,7 +105,7 @@ impl Fault {
 impl Device {
     pub(super) fn of(recording: &Recording) -> Result<Self, Fault> {
         let stretches = &recording.stretches;
-        if recording.rows() < 20 {
+        if recording.rows() < FEWEST {
             return Err(Fault::Short);
         }
         if stretches.iter().all(|it| it.positions.iter().all(|x| *x == stretches[0].positions[0])) {
@@ -119,6 +136,8 @@ impl Device {
         let short_error = near.as_ref().map_or(error, |fit| fit.error(short.count()));
         let grid = recording.resolution().map_or(0.0, |it| it / 12_f64.sqrt());
         let least = short_error.max(grid).max(ROUNDING * recording.travel());
+        let is_unlike = error > COARSE * grid.max(ROUNDING * recording.travel())
+            && alike(stretches, lag, &long.pass.fitted) > ALIKE;
         let of_long = Told::of(&whole, long);
         let of_short = near.filter(|_| error > WORSE * least).and_then(|fit| Told::of(&short, fit));
         let is_pushed = of_short.is_some();
@@ -131,7 +150,8 @@ impl Device {
         };
         let lag = if is_pushed { short.lag } else { lag };
         let ahead = first_fitted(stretches, lag);
-        let device = Self { told, other, lag, ahead, error, short_error, is_pushed };
+        let unlike = (is_unlike && !is_pushed).then_some(grid);
+        let device = Self { told, other, lag, ahead, error, short_error, is_pushed, unlike };
         device.mobility().inverse().map(|_| device).ok_or(Fault::NoMass)
     }
 
@@ -244,6 +264,18 @@ impl Told {
             .sum();
         Estimate::about(value, value + off, self.spread.factor * variance.max(0.0).sqrt(), value)
     }
+}
+
+/// Correlation of what the `fitted` positions leave in a row with what they leave in the next.
+fn alike(stretches: &[Stretch], lag: usize, fitted: &[f64]) -> f64 {
+    let (mut fitted, mut squares, mut products) = (fitted.iter(), 0.0, 0.0);
+    for stretch in stretches {
+        let measured = stretch.positions.iter().skip(lag);
+        let left: Vec<f64> = measured.zip(fitted.by_ref()).map(|(x, fit)| x - fit).collect();
+        squares += left.iter().map(|it| it * it).sum::<f64>();
+        products += left.windows(2).map(|it| it[0] * it[1]).sum::<f64>();
+    }
+    products / squares
 }
 
 /// The time from the first row to the first one that is fitted, s.

@@ -87,7 +87,7 @@ impl Identified {
     /// # Errors
     /// A recording that is not moved by its force.
     pub fn of(recording: Recording, name: &str) -> Result<Self, LogError> {
-        let device = Device::of(&recording).map_err(|fault| fault.about(name))?;
+        let device = Device::of(&recording).map_err(|fault| fault.about(name, recording.gaps))?;
         let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());
         let mut report = Report::of(name, &recording, &device, wall.as_ref());
         let scene = scene::toml(&report, recording.origin);

@@ -3,10 +3,16 @@
 use super::device::Device;
 use super::recording::Recording;
 use super::wall::{Seen, Wall};
+use crate::show::prefix::prefixed;
 use crate::text::found;
 
 /// Share of the force in contact above which a wall is said to leave something.
 const LEFT: f64 = 0.1;
+
+/// Share of the largest force above which a wall is said to leave something, and times that the error of fitted positions makes of
+/// it: a loop that computes its force from `x` leaves rounding, and one that saw another `x` up to once that error.
+const OWN: f64 = 1e-4;
+const UNSURE: f64 = 5.0;
 
 /// Share of the stiffness above which errors of the position are said to make it too low.
 const LOST: f64 = 0.02;
@@ -19,7 +25,8 @@ pub(super) fn notes(recording: &Recording, device: &Device, wall: Option<&Wall>)
         zero(device),
         spring(device),
         no_wall(recording, wall),
-        wall.and_then(left),
+        wall.and_then(clipped),
+        wall.and_then(|wall| left(recording, wall)),
         wall.and_then(blurred),
         Some("hand and device move as one here: a log of one position does not tell their masses apart".to_owned()),
     ];
@@ -35,14 +42,22 @@ fn gaps(recording: &Recording) -> Option<String> {
 }
 
 fn pushed(device: &Device) -> Option<String> {
-    let [whole, short] = [device.error, device.short_error].map(|it| found(1e6 * it));
-    device.is_pushed.then(|| {
-        format!(
-            "something pushes that the log does not hold, as a hand that moves or dry friction does: from its first row \
-             the model follows the log within {whole} um, over 32 rows and with a constant force of their own within {short} um; \
-             the numbers are those of the latter, with intervals that span both fits; what pushes may bias them"
-        )
-    })
+    let [whole, short] = [device.error, device.short_error].map(|it| prefixed(it, "m"));
+    if device.is_pushed {
+        return Some(format!(
+            "something pushes that the log does not hold, as a hand that moves or dry friction does, or f is logged late or with \
+             fewer rows than the loop has ticks: from its first row the model follows the log within {whole}, over 32 rows and with a constant force of their own within \
+             {short}; the numbers are those of the latter, with intervals that span both fits; what pushes may bias them"
+        ));
+    }
+    let steps = match device.unlike? {
+        0.0 => String::new(),
+        steps => format!(", where its steps leave {}", prefixed(steps, "m")),
+    };
+    Some(format!(
+        "the model leaves {whole} of x, row after row alike{steps}: fewer rows than the loop has ticks, a force logged late, or \
+         something that the log does not hold; the intervals do not count that"
+    ))
 }
 
 fn late(recording: &Recording, device: &Device, wall: Option<&Wall>) -> Option<String> {
@@ -88,15 +103,34 @@ fn no_wall(recording: &Recording, wall: Option<&Wall>) -> Option<String> {
     })
 }
 
-fn left(wall: &Wall) -> Option<String> {
-    let share = wall.error / wall.force;
-    (share > LEFT).then(|| {
-        format!(
-            "the wall leaves {} N of {} N in contact (root mean squares): f holds more than a spring and a damper, or is \
-             held longer than a row",
-            found(wall.error),
-            found(wall.force)
-        )
+fn clipped(wall: &Wall) -> Option<String> {
+    let (most, rows) = (prefixed(wall.largest, "N"), wall.at_most);
+    wall.is_clipped.then(|| {
+        format!("f stands at {most} in {rows} rows: clipped; the wall is fitted to the others, and the scene has that limit")
+    })
+}
+
+fn left(recording: &Recording, wall: &Wall) -> Option<String> {
+    let (most, rows) = (prefixed(wall.largest, "N"), wall.at_most);
+    let [left, force] = [wall.error, wall.force].map(|it| prefixed(it, "N"));
+    let leaves = format!("the wall leaves {left} of {force} in contact (root mean squares)");
+    if wall.error > LEFT * wall.force {
+        return Some(if 2 * rows > wall.rows {
+            format!(
+                "{leaves}: f stands at {most} in {rows} rows, as if clipped, and too few others tell the wall"
+            )
+        } else {
+            format!(
+                "{leaves}: f holds more than a spring and a damper, or is held longer than a row"
+            )
+        });
+    }
+    let digits = recording.force_step().unwrap_or_default();
+    let sound = (OWN * wall.largest).max(digits).max(UNSURE * wall.unsure_force());
+    (wall.seen != Seen::WithVelocity && wall.error > sound).then(|| {
+        "f is not a spring and a damper of x and its backward difference: a filtered v (give it as a column), fewer rows than \
+         ticks, another sensor, a clipped or noisy f; the wall's intervals may not count that"
+            .to_owned()
     })
 }
 

@@ -4,7 +4,9 @@ use std::io::Read;
 
 use super::Settings;
 use super::stretch::Stretch;
-use crate::files::log::{BadRows, Entry, Log, LogError, Sample, TimeStep, median_period};
+use crate::files::log::{
+    BadRows, Column, Entry, Log, LogError, Reason, Sample, TimeStep, median_period,
+};
 use crate::measure::Oddity;
 use crate::measure::sanity::LogSigns;
 
@@ -19,10 +21,15 @@ const FEWEST: usize = 8;
 pub struct Recording {
     /// The rows, their positions from the origin on.
     pub(super) stretches: Vec<Stretch>,
+    /// The gaps of the log, also those beside stretches that are too short.
+    pub(super) gaps: usize,
     /// The log's position nearest to 0, m: squares of positions far from it leave no digits.
     pub(super) origin: f64,
     /// The median period, s.
     pub(super) period: f64,
+    /// The columns as they were read, and whether their numbers have decimal commas.
+    pub(super) columns: Vec<Column>,
+    pub(super) decimal_commas: bool,
     pub(super) bad_rows: BadRows,
     /// The signs of a mistake in it.
     pub(super) look_at: Vec<Oddity>,
@@ -50,9 +57,11 @@ impl Recording {
                     if let Some(last) = last
                         && !last.is_before(&sample)
                     {
-                        let message = format!("t = {:?} s is not after {:?} s", sample.t, last.t);
-                        return Err(LogError::at(name, sample.line, message)
-                            .with_help("sort the log, or cut it where the clock went back"));
+                        let (time, line) = (sample.t, last.line);
+                        let reason = Reason::Order { time, last: last.t, line };
+                        return Err(
+                            LogError::at(name, sample.line, reason).with_help(reason.remedy())
+                        );
                     }
                     signs.add(&sample);
                     rows.push((sample, std::mem::take(&mut spans)));
@@ -68,9 +77,11 @@ impl Recording {
             return Err(LogError::too_few(name, &bad_rows));
         }
         let period = median_period(rows.windows(2).map(|pair| step(&pair[0], &pair[1])));
-        let look_at = signs.finish(period);
+        let look_at = signs.finish(period, bad_rows.count);
         let origin = origin(&rows);
-        Ok(Self { stretches: stretches(&rows, origin, period), origin, period, bad_rows, look_at })
+        let (stretches, gaps) = stretches(&rows, origin, period);
+        let (columns, decimal_commas) = (log.columns().to_vec(), log.has_decimal_commas());
+        Ok(Self { stretches, gaps, origin, period, columns, decimal_commas, bad_rows, look_at })
     }
 
     /// The number of rows that are fitted to.
@@ -110,8 +121,17 @@ impl Recording {
 
     /// The step of the grid on which all positions lie, m: an encoder's, or that of the digits written.
     pub(super) fn resolution(&self) -> Option<f64> {
+        self.grid(|it| &it.positions)
+    }
+
+    /// The step of the grid on which all forces lie, N.
+    pub(super) fn force_step(&self) -> Option<f64> {
+        self.grid(|it| &it.forces)
+    }
+
+    fn grid(&self, values: impl Fn(&Stretch) -> &[f64]) -> Option<f64> {
         let moved = |stretch: &Stretch| {
-            let pairs = stretch.positions.windows(2);
+            let pairs = values(stretch).windows(2);
             pairs.map(|it| (it[1] - it[0]).abs()).filter(|it| *it > 0.0).collect::<Vec<_>>()
         };
         let moves: Vec<f64> = self.stretches.iter().flat_map(moved).collect();
@@ -141,17 +161,19 @@ fn origin(rows: &[(Sample, bool)]) -> f64 {
     low.max(0.0).min(high)
 }
 
-fn stretches(rows: &[(Sample, bool)], origin: f64, period: f64) -> Vec<Stretch> {
+/// The stretches that are long enough, and the number of gaps.
+fn stretches(rows: &[(Sample, bool)], origin: f64, period: f64) -> (Vec<Stretch>, usize) {
     let goes_on = |row: &(Sample, bool), next: &(Sample, bool)| {
         let step = step(row, next);
         !step.spans && !step.is_gap(period)
     };
-    let long = rows.chunk_by(goes_on).filter(|it| it.len() >= FEWEST);
+    let parts = || rows.chunk_by(goes_on);
+    let long = parts().filter(|it| it.len() >= FEWEST);
     let stretch = |rows: &[(Sample, bool)]| Stretch {
         times: rows.iter().map(|it| it.0.since).collect(),
         positions: rows.iter().map(|it| it.0.x - origin).collect(),
         forces: rows.iter().map(|it| it.0.f).collect(),
         velocities: rows.iter().filter_map(|it| it.0.v).collect(),
     };
-    long.map(stretch).collect()
+    (long.map(stretch).collect(), parts().count() - 1)
 }

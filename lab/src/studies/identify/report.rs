@@ -8,7 +8,7 @@ use super::estimate::Estimate;
 use super::notes::notes;
 use super::recording::Recording;
 use super::wall::Wall;
-use crate::files::log::BadRows;
+use crate::files::log::{BadRows, Column};
 use crate::measure::Oddity;
 
 /// Numbers of a scene as a log tells them, in SI units.
@@ -16,6 +16,10 @@ use crate::measure::Oddity;
 pub struct Report {
     /// The name of the log.
     pub log: String,
+    /// The columns as they were read.
+    pub columns: Vec<Column>,
+    /// Whether the numbers have decimal commas.
+    pub decimal_commas: bool,
     /// The number of rows that the scene was fitted to.
     pub rows: usize,
     /// The bad rows, which were left out.
@@ -86,6 +90,10 @@ pub struct WallReport {
     pub late: usize,
     /// What it leaves of the force in contact, root mean square, N.
     pub residual: f64,
+    /// The largest force of the log, N.
+    pub peak: f64,
+    /// Whether the rows with that force are clipped; they were left out then.
+    pub is_clipped: bool,
 }
 
 impl WallReport {
@@ -93,8 +101,7 @@ impl WallReport {
         let spread = wall.spread?;
         let [stiffness, damping] = [wall.at[0], wall.at[1]];
         let place = wall.position();
-        // What the error of fitted positions may add, as a force.
-        let off = wall.unsure * (stiffness + damping * wall.speed / wall.travel);
+        let off = wall.unsure_force();
         let reach = |slope: Vector4<f64>, by: f64| {
             let variance = slope.dot(&(spread.covariance * slope)).max(0.0);
             spread.factor * (variance + (off / by).powi(2)).sqrt()
@@ -111,6 +118,8 @@ impl WallReport {
             rows: wall.rows,
             late: wall.lag,
             residual: wall.error,
+            peak: wall.largest,
+            is_clipped: wall.is_clipped,
         })
     }
 }
@@ -128,6 +137,8 @@ impl Report {
         let [position, velocity] = device.start();
         Self {
             log: name.to_owned(),
+            columns: recording.columns.clone(),
+            decimal_commas: recording.decimal_commas,
             rows: recording.rows(),
             bad_rows: recording.bad_rows.clone(),
             stretches: recording.stretches.len(),

@@ -61,6 +61,9 @@ fn write(out: &mut String, report: &Report, origin: f64) -> std::fmt::Result {
     if let Some(resolution) = report.resolution {
         writeln!(out, "\n[effects.encoder]\nresolution = {:?}", tidy(resolution))?;
     }
+    if let Some(wall) = report.wall.filter(|wall| wall.is_clipped) {
+        writeln!(out, "\n[effects.saturation]\nforce = {:?}", tidy(wall.peak))?;
+    }
     if report.delay() > 0 {
         writeln!(out, "\n[effects.delay]\nticks = {}", report.delay())?;
     }

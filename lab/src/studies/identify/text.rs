@@ -4,13 +4,22 @@ use std::fmt;
 
 use super::Identified;
 use super::estimate::Estimate;
-use super::report::Report;
+use super::report::{Report, WallReport};
+use super::wall::EDGE;
+use crate::files::log::described;
+use crate::show::prefix::prefixed;
 use crate::show::table::{Cell, Heading, Table};
 use crate::text::{folded, found, legible};
 
-/// What is said of a run that does not stay by its log.
-const LEAVES: &str = "a run of the scene below leaves the log: a loop at the edge of what is stable, a hand that moves, or a \
-                      stabilizer in the recorded one";
+/// Causes of a run that does not stay by its log.
+const LEAVES: &str = "a loop at the edge of what is stable, a hand that moves, a stabilizer in the recorded one, uneven \
+                      steps of t, or an offset or a clipping of f";
+
+/// Error of a run, in residuals of the fit, up to which it is by its log; one with noise that the scene has not reaches 8.
+const NEAR: f64 = 10.0;
+
+/// Share of the travel up to which it is as well: the numbers of a scene are rounded, and a loop that grows makes that larger.
+const ROUNDING: f64 = 1e-4;
 
 impl fmt::Display for Identified {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -31,34 +40,37 @@ impl Report {
             found(self.duration)
         )];
         let mut say = |label: &str, text: &str| lines.push(folded(&format!("  {label:<12}"), text));
-        if self.bad_rows.count > 0 {
-            say("bad rows", &format!("{}, left out", self.bad_rows.count));
+        if let Some(told) = described(&self.columns, self.decimal_commas) {
+            say("columns", &told);
+        }
+        for (line, text) in self.bad_rows.lines(", left out").iter().enumerate() {
+            say(if line == 0 { "bad rows" } else { "" }, text);
         }
         let grid = self.resolution.map(|it| {
-            let [step, error] = [1e6 * it, 1e6 * it / 12_f64.sqrt()].map(found);
-            format!("; x has steps of {step} um, which alone leave about {error} um")
+            let [step, error] = [it, it / 12_f64.sqrt()].map(|it| prefixed(it, "m"));
+            format!("; x has steps of {step}, which alone leave about {error}")
         });
-        let (whole, grid) = (found(1e6 * self.residual.whole), grid.unwrap_or_default());
-        say("residual", &format!("{whole} um between x and the model under the log's force{grid}"));
-        match self.replayed {
-            Some(error) if error <= self.furthest - self.nearest => {
-                let error = found(1e3 * error);
-                let words = "a run of the scene below stays within";
-                say("run", &format!("{words} {error} mm of the log (root mean square)"));
-            }
-            _ => say("run", LEAVES),
-        }
+        let (whole, grid) = (prefixed(self.residual.whole, "m"), grid.unwrap_or_default());
+        say("residual", &format!("{whole} between x and the model under the log's force{grid}"));
+        say("run", &self.run());
         if let Some(wall) = &self.wall {
-            let left = found(wall.residual);
-            say(
-                "wall",
-                &format!("{} rows in contact; it leaves {left} N of their force", wall.rows),
-            );
+            say("wall", &wall.line());
         }
         self.notes.iter().for_each(|note| say("note", note));
         self.look_at.iter().for_each(|it| say("look at", &it.text));
         lines.push(String::new());
         lines.join("\n")
+    }
+
+    /// How far a run of the scene is off the log, and why that may be where it is far.
+    fn run(&self) -> String {
+        let Some(error) = self.replayed else {
+            return format!("a run of the scene below leaves the range of numbers: {LEAVES}");
+        };
+        let off = prefixed(error, "m");
+        let text = format!("a run of the scene below is {off} off the log (root mean square)");
+        let near = (NEAR * self.residual.whole).max(ROUNDING * (self.furthest - self.nearest));
+        if error <= near { text } else { format!("{text}: {LEAVES}") }
     }
 
     /// The numbers with their intervals.
@@ -96,5 +108,17 @@ impl Report {
             ]);
         }
         named
+    }
+}
+
+impl WallReport {
+    fn line(&self) -> String {
+        // Of forces that are exact to rounding.
+        let left = if self.residual <= EDGE * self.peak {
+            "nothing but rounding".to_owned()
+        } else {
+            format!("{} of their force", prefixed(self.residual, "N"))
+        };
+        format!("{} rows in contact; it leaves {left}", self.rows)
     }
 }

@@ -11,7 +11,7 @@ use super::stretch::Stretch;
 const TOUCH: [f64; 3] = [0.05, 1e-3, 1e-6];
 
 /// Share of the largest force up to which a depth is rounding: a wall may stand on a step of the encoder.
-const EDGE: f64 = 1e-9;
+pub(super) const EDGE: f64 = 1e-9;
 
 /// Most rounds in which rows join or leave the contact.
 const ROUNDS: usize = 50;
@@ -21,6 +21,11 @@ pub(super) const LAGS: usize = 8;
 
 /// Fewest rows in contact that a wall is fitted to.
 const FEWEST: usize = 6;
+
+/// Share of the rows with the largest force in which a wall fitted to the others asks for more, where that force is a limit, and
+/// the share by which it asks for more on average: of a force in steps, or at rest, it asks for as much.
+const CLIPPED: f64 = 0.9;
+const BEYOND: f64 = 0.05;
 
 /// Share of the force that a wall has to explain, as root mean squares.
 const EXPLAINED: f64 = 0.5;
@@ -65,8 +70,10 @@ pub(super) struct Wall {
     pub(super) speed: f64,
     /// Error of the positions that it was fitted to, where those are fitted themselves, m.
     pub(super) unsure: f64,
-    /// Force below which a depth is rounding, N.
-    edge: f64,
+    /// The largest force of the log, N, the rows with it, and whether those are clipped and left out.
+    pub(super) largest: f64,
+    pub(super) at_most: usize,
+    pub(super) is_clipped: bool,
     cost: f64,
 }
 
@@ -78,7 +85,7 @@ impl Wall {
 
     /// Its force at a position from the recording's origin on, N.
     pub(super) fn force_at(&self, position: f64, velocity: f64) -> f64 {
-        wall(&self.at, self.edge, position, velocity)
+        wall(&self.at, EDGE * self.largest, position, velocity)
     }
 
     /// The wall that explains the force of a log best; `fitted` are the positions from the row `late` of each
@@ -97,18 +104,45 @@ impl Wall {
         let has_velocity = stretches.iter().all(|it| !it.velocities.is_empty());
         let sources =
             [Some(Seen::Measured), has_velocity.then_some(Seen::WithVelocity), Some(Seen::Fitted)];
-        let all =
-            sources.into_iter().flatten().flat_map(|seen| (0..=LAGS).map(move |lag| (seen, lag)));
-        let walls = all.flat_map(|(seen, lag)| {
-            let touches = touches(stretches, fitted, late, seen, lag);
-            TOUCH.map(|share| Self::fit(&touches, share, largest, (seen, lag)))
-        });
-        let walls = walls.flatten();
-        // The first of several that explain it as well.
-        let best =
-            walls.reduce(|best, next| if next.cost < 0.98 * best.cost { next } else { best })?;
-        let unsure = if best.seen == Seen::Fitted { unsure } else { 0.0 };
-        (best.error <= EXPLAINED * best.force).then_some(Self { unsure, ..best })
+        let sources: Vec<Seen> = sources.into_iter().flatten().collect();
+        let touches = |seen, lag| touches(stretches, fitted, late, seen, lag);
+        let best = |takes: &dyn Fn(&Touch) -> bool| {
+            let all = sources.iter().flat_map(|seen| (0..=LAGS).map(|lag| (*seen, lag)));
+            let walls = all.flat_map(|(seen, lag)| {
+                let touches: Vec<Touch> = touches(seen, lag).into_iter().filter(takes).collect();
+                TOUCH.map(|share| Self::fit(&touches, share, largest, (seen, lag)))
+            });
+            // The first of several that explain it as well.
+            let better = |best: Self, next: Self| {
+                if next.cost < 0.98 * best.cost { next } else { best }
+            };
+            let best = walls.flatten().reduce(better)?;
+            (best.error <= EXPLAINED * best.force).then_some(best)
+        };
+        let forces = stretches.iter().flat_map(|it| &it.forces);
+        let at_most = forces.filter(|it| **it == largest).count();
+        let clipped = || {
+            let wall = best(&|it| it.force < largest)?;
+            let left = touches(wall.seen, wall.lag).into_iter().filter(|it| it.force == largest);
+            let is_clipped = wall.asks_beyond(&left.collect::<Vec<_>>());
+            is_clipped.then_some(Self { is_clipped, ..wall })
+        };
+        let wall = (at_most >= FEWEST).then(clipped).flatten().or_else(|| best(&|_| true))?;
+        let unsure = if wall.seen == Seen::Fitted { unsure } else { 0.0 };
+        Some(Self { unsure, at_most, ..wall })
+    }
+
+    /// The force that the error of fitted positions may add, N.
+    pub(super) fn unsure_force(&self) -> f64 {
+        self.unsure * (self.at[0] + self.at[1] * self.speed / self.travel)
+    }
+
+    /// Whether the wall, fitted to the other rows, asks for more than the force of these.
+    fn asks_beyond(&self, touches: &[Touch]) -> bool {
+        let excess = touches.iter().map(|it| self.force_at(it.position, it.velocity) - it.force);
+        let beyond = excess.clone().filter(|it| *it > EDGE * self.largest).count() as f64;
+        let rows = touches.len() as f64;
+        beyond >= CLIPPED * rows && excess.sum::<f64>() >= BEYOND * self.largest * rows
     }
 
     fn fit(
@@ -154,7 +188,9 @@ impl Wall {
             travel: mean_square(&|it| it.position - middle).sqrt(),
             speed: mean_square(&|it| it.velocity - drift).sqrt(),
             unsure: 0.0,
-            edge,
+            largest,
+            at_most: 0,
+            is_clipped: false,
             cost: touches.iter().map(|it| off(it).powi(2)).sum::<f64>() / touches.len() as f64,
         })
     }

@@ -110,6 +110,11 @@ impl Finder {
         }
     }
 
+    /// Whether a contact has not ended.
+    pub(super) fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
     fn close(&mut self) {
         let Some(open) = self.open.take() else { return };
         let contact = open.contact();

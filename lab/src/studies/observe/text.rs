@@ -114,19 +114,12 @@ impl Report {
     }
 
     fn write_bad_rows(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let bad = &self.bad_rows;
-        if bad.count == 0 {
+        let lines = self.bad_rows.lines("; the next good row spans the gap");
+        let Some((first, more)) = lines.split_first() else {
             return line(f, "bad rows", "none");
-        }
-        line(f, "bad rows", &format!("{}; the next good row spans the gap", bad.count))?;
-        for row in &bad.first {
-            line(f, "", &format!("line {}: {}", row.line, row.reason))?;
-        }
-        let more = bad.count.saturating_sub(bad.first.len() as u64);
-        if more > 0 {
-            line(f, "", &format!("and {more} more"))?;
-        }
-        bad.remedy().map_or(Ok(()), |remedy| line(f, "", &format!("= {remedy}")))
+        };
+        line(f, "bad rows", first)?;
+        more.iter().try_for_each(|it| line(f, "", it))
     }
 
     fn write_sums(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {
@@ -188,7 +181,7 @@ impl Report {
         };
         let threshold = found(contacts.threshold);
         let (count, generating) = (contacts.count, contacts.generating);
-        let worst = if contacts.worst.is_empty() { "" } else { "; the worst:" };
+        let worst = if contacts.worst.is_empty() { "" } else { "; the worst below" };
         let text =
             format!("{count}, {generating} generated energy (|f| > {threshold} N{follows}){worst}");
         line(f, "contacts", &text)

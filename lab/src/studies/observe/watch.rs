@@ -131,8 +131,9 @@ impl Watch {
         if self.spans {
             account.traces.bad_rows(last.t, last.t);
         }
+        let is_touching = account.contacts.is_open();
         let contacts = account.contacts.finish();
-        let look_at = account.signs.finish(period);
+        let look_at = account.signs.finish(period, self.bad.count);
         let report = Report {
             log: name.to_owned(),
             rows: self.rows,
@@ -143,7 +144,7 @@ impl Watch {
             median_period: period,
             gaps: account.gaps,
             starts_in_contact: first.f.abs() > contacts.threshold,
-            ends_in_contact: last.f.abs() > contacts.threshold,
+            ends_in_contact: is_touching && last.f.abs() > contacts.threshold,
             energy: Energy {
                 absorbed: account.port.absorbed(),
                 released: account.port.released(),

@@ -190,7 +190,8 @@ impl<R: Read> Against<R> {
             return Err(LogError::too_few(&self.name, &self.bad));
         };
         let [position, velocity, force] = self.meters.map(|meter| meter.finish());
-        let look_at = force.look_at(self.signs.finish(median_period(self.steps.into_iter())));
+        let look_at =
+            force.look_at(self.signs.finish(median_period(self.steps.into_iter()), self.bad.count));
         let differences = Differences {
             position: position.in_units("mm", 1e3),
             velocity: velocity.in_units("mm/s", 1e3),

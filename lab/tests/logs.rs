@@ -1,0 +1,75 @@
+//! Logs that cannot be read, or hardly: remedies and lines that name the cause.
+
+use lyapunov_lab::observe::{LogError, Report, Settings, observe};
+
+fn read(log: &[u8]) -> Result<Report, LogError> {
+    observe(log, "made.csv", &Settings::default()).map(|it| it.report)
+}
+
+#[track_caller]
+fn remedy(log: &[u8], words: &str) {
+    let error = read(log).unwrap_err();
+    assert!(error.help().is_some_and(|help| help.contains(words)), "{words}: {error}");
+}
+
+#[test]
+fn what_is_no_table_is_not_asked_for_columns() {
+    let table = "as text with one row per line";
+    for log in [
+        &b"{\"t\":0,\"x\":1,\"f\":2}\n"[..],
+        b"[0,1,2]\n",
+        b"<row>,<t>,<x>\n",
+        b"t,x,f\r0,0,0\r1,1,1\r",
+        b"a,\xff\xfe,b,c\n",
+        b"t|x|f\n0|0|0\n",
+        b"t;x\n0;0\n",
+    ] {
+        remedy(log, table);
+    }
+    remedy(b"time,place,push\n0,0,0\n", "name the column of x with --columns");
+}
+
+#[test]
+fn a_name_between_others_as_near_is_not_guessed() {
+    let error = read(b"t,x,y,fx,fy\n0,0,0,0,0\n").unwrap_err();
+    assert!(!error.help().unwrap().contains("did you mean"), "{error}");
+    remedy(b"t,x,y,f0,load\n0,0,0,0,0\n", "did you mean `f0`?");
+}
+
+#[test]
+fn bad_rows_have_the_remedy_of_their_fault() {
+    let rows = |row: &str| format!("t,x,f\n{}", format!("{row}\n").repeat(30)).into_bytes();
+    remedy(&rows("0,0,0,"), "does each row end in a separator?");
+    remedy(&rows("0;0;0"), "rows and names need the same separator");
+    remedy(&rows("0,0"), "is it cut off?");
+    remedy(&rows("12:30:00.5,0,0"), "t is a time of day: give t in seconds");
+    remedy(&rows("1.5 s,0,0"), "write numbers as 0.5 or 5e-1");
+    remedy(&rows("0,0,0"), "equal stamps: write t with more digits, or give each row once");
+}
+
+#[test]
+fn many_bad_rows_are_told() {
+    let log = |bad: usize| {
+        let row = |n: usize| if n < bad { "x,0,0\n".to_owned() } else { format!("{n},{n}e-3,1\n") };
+        format!("t,x,f\n{}", (0..100).map(row).collect::<String>())
+    };
+    let told = |bad| {
+        let report = read(log(bad).as_bytes()).unwrap();
+        report.look_at.iter().any(|it| it.text == format!("{bad} of 100 rows are bad and left out"))
+    };
+    assert!(told(11) && !told(10) && !told(0));
+}
+
+#[test]
+fn a_force_on_the_last_row_alone_is_no_contact() {
+    let report = read(b"t,x,f\n0,0,0\n0.001,0.0001,1\n").unwrap();
+    assert_eq!((report.contacts.count, report.ends_in_contact), (0, false));
+    let report = read(b"t,x,f\n0,0,0\n0.001,0.0001,1\n0.002,0.0002,1\n").unwrap();
+    assert_eq!((report.contacts.count, report.ends_in_contact), (1, true));
+    let text = report.to_string();
+    let words: Vec<&str> = text.split_whitespace().collect();
+    assert!(
+        words.join(" ").contains("the largest force so far); the worst below from to"),
+        "{text}"
+    );
+}
