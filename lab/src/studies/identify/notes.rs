@@ -46,8 +46,9 @@ fn pushed(device: &Device) -> Option<String> {
     if device.is_pushed {
         return Some(format!(
             "something pushes that the log does not hold, as a hand that moves or dry friction does, or f is logged late or with \
-             fewer rows than the loop has ticks: from its first row the model follows the log within {whole}, over 32 rows and with a constant force of their own within \
-             {short}; the numbers are those of the latter, with intervals that span both fits; what pushes may bias them"
+             fewer rows than the loop has ticks: from its first row the model follows the log within {whole}, over 32 rows and \
+             with a constant force of their own within {short}; the numbers are those of the latter, with intervals that span both \
+             fits; what pushes may bias them"
         ));
     }
     let steps = match device.unlike? {
