@@ -1,4 +1,4 @@
-//! Accumulators: running sums of energy that keep their digits over a year of ticks.
+//! Accumulators: running sums of energy, of which some keep their digits over a year of ticks.
 
 use core::fmt::Debug;
 

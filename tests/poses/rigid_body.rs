@@ -41,6 +41,20 @@ fn keeps<T: Real>(tolerance: f64) {
     }
 }
 
+/// The motion of a body whose moments are in the range, but no product of theirs, cannot be solved for.
+#[test]
+fn moments_whose_product_leaves_the_range_are_refused() {
+    for size in [1e-18f32, 1e10, 1e11] {
+        let parts = RigidParts { moments: Vector3::repeat(size), ..parts::<f32>(0.0) };
+        let refused = RigidBody::<f32>::new(parts, 1e-3, 1).expect_err("no range").to_string();
+        assert!(refused.starts_with("moment of inertia is "), "{refused}");
+    }
+    for size in [1e-9f32, 1e8] {
+        let parts = RigidParts { moments: Vector3::repeat(size), ..parts::<f32>(0.0) };
+        assert!(RigidBody::<f32>::new(parts, 1e-3, 1).is_ok(), "{size}");
+    }
+}
+
 #[test]
 fn a_free_body_keeps_its_energy() {
     keeps::<f64>(1e-12);

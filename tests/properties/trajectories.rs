@@ -58,6 +58,8 @@ fn an_instant_counts_from_its_tick() {
     for rate in [3.0, 10.0, 100.0, 1000.0, 4000.0, 44100.0] {
         for tick in 0..100_000u64 {
             assert_eq!(tick_of(tick as f64 / rate, rate), tick, "{tick} at {rate}");
+            let late = (1 << 31) + tick;
+            assert_eq!(tick_of(late as f64 / rate, rate), late, "{late} at {rate}");
         }
     }
 }

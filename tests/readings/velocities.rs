@@ -1,7 +1,7 @@
 //! Velocities of readings: those of the adaptors of a port, and the laws.
 
 use lyapunov::{
-    OnePort, PortSample,
+    OnePort, PortSample, Reading, Readings,
     effects::OnePortExt,
     laws::{self, Law},
     readings::{Differenced, LowPassed, VelocityEstimator, Windowed},
@@ -87,6 +87,17 @@ fn the_estimators_keep_the_laws() {
     keeps(Differenced);
     keeps(LowPassed::<f64>::new(40.0).expect("a cutoff"));
     keeps(Windowed::<f64, 16>::new(11, 1e-4).expect("a window"));
+}
+
+/// 1e37 Hz over 10 s is beyond the largest number of `f32`; such a filter passes everything.
+#[test]
+fn a_cutoff_beyond_the_range_filters_nothing() {
+    let readings = Readings::<f32>::every(10.0).expect("a period");
+    let mut readings = readings.low_passed(1e37).expect("a cutoff");
+    for tick in 0..4u8 {
+        let told = readings.read(Reading { position: f32::from(tick), applied: 0.0 });
+        assert_eq!(told.sample.velocity, if tick == 0 { 0.0 } else { 0.1 });
+    }
 }
 
 /// A filter that keeps a NaN is found.

@@ -8,7 +8,8 @@ use crate::{Scalar, Signal};
 /// A pose: the position of the body's reference point, m, and the orientation of the body.
 ///
 /// It is made from nalgebra's `Isometry3`, or from a position and a `UnitQuaternion`. The quaternion need not have
-/// length 1: only its direction counts, and `q` and `−q` are the same orientation. A pose that holds a NaN, an infinity
+/// length 1: from 2⁻³⁰ to 2³⁰ only its direction counts (beyond, the squares of `f32` leave its range), and `q` and `−q` are
+/// the same orientation. A pose that holds a NaN, an infinity
 /// or a quaternion of 0 leads to displacements that are not finite, which a stabilizer rejects.
 ///
 /// As a [`Signal`] it is seven numbers, those of the position and those of the quaternion `(i, j, k, w)`; sums and

@@ -55,6 +55,9 @@ impl<V: Signal> VelocityEstimator<V> for LowPassed<V> {
     fn velocity(&mut self, sample: &PortSample<V>) -> V {
         let none = V::Scalar::of(f64::NAN);
         let turn = self.rate * V::Scalar::choose(sample.timed(), sample.period, none);
+        // Of more than the largest number nothing is left to keep.
+        let most = V::Scalar::largest();
+        let turn = V::Scalar::choose(turn.above(most), most, turn);
         let share = turn / (V::Scalar::of(1.0) + turn);
         let velocity = match self.velocity {
             Some(last) => last.zip(sample.displacement, |last, moved| {

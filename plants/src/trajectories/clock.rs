@@ -2,10 +2,11 @@
 
 use lyapunov_core::{ParameterError, Requirement};
 
-/// The tick from which on `instant`, s, counts: `ceil(instant · servo_rate − 1e-9)`.
+/// The tick from which on `instant`, s, counts: `ceil(p − 1e-9)` of `p = instant · servo_rate`, or `ceil(p − 2 ε p)` where that is
+/// less.
 ///
 /// The billionth of a tick lets an instant that is meant to fall on a tick do so: 0.3 s at 10 Hz is tick 3, though
-/// rounding may put the product above 3. An instant below 0 or NaN is tick 0, and one that is too large the last tick.
+/// rounding may put the product above 3. After some million ticks rounding is more than a billionth. An instant below 0 or NaN is tick 0, and one that is too large the last tick.
 ///
 /// ```
 /// use lyapunov_plants::tick_of;
@@ -14,7 +15,8 @@ use lyapunov_core::{ParameterError, Requirement};
 /// ```
 pub fn tick_of(instant: f64, servo_rate: f64) -> u64 {
     // A conversion from a float saturates.
-    libm::ceil(instant * servo_rate - 1e-9) as u64
+    let product = instant * servo_rate;
+    libm::ceil((product - 1e-9).min(product * (1.0 - 2.0 * f64::EPSILON))) as u64
 }
 
 /// Clock of a servo rate.

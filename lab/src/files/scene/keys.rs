@@ -1,6 +1,5 @@
 //! The keys of scene files for messages: the unit and a correct example line of each.
 
-use toml::Value;
 use toml::de::DeTable;
 
 use super::book::{Book, Key, count, joined, key};
@@ -129,15 +128,13 @@ pub(crate) fn is_whole(key: &str) -> bool {
     example.is_some_and(|it| it.get_ref().values().any(|value| value.get_ref().is_integer()))
 }
 
-/// The numbers of the example of `key` for so many `axes`, the last one for every axis that it lacks.
-pub(super) fn example(key: &str, axes: usize) -> Vec<f64> {
-    let table = BOOK.find(key).and_then(|key| key.example.parse::<toml::Table>().ok());
-    let value = table.and_then(|table| table.into_iter().next()).map(|(_, value)| value);
-    let numbers = match value {
-        Some(Value::Array(list)) => list.iter().filter_map(Value::as_float).collect(),
-        other => Vec::from_iter(other.and_then(|it| it.as_float())),
-    };
-    (0..axes).map(|axis| numbers.get(axis).or(numbers.last()).copied().unwrap_or(1.0)).collect()
+/// The example of `key` as a list for so many `axes`, with its last number for every axis that it lacks.
+pub(super) fn example(key: &str, axes: usize) -> String {
+    let line = BOOK.find(key).map_or("", |key| key.example);
+    let value = line.split(['=', '#']).nth(1).unwrap_or("1.0");
+    let numbers: Vec<&str> = value.trim().trim_matches(['[', ']']).split(", ").collect();
+    let number = |axis: usize| numbers[axis.min(numbers.len() - 1)];
+    format!("[{}]", (0..axes).map(number).collect::<Vec<_>>().join(", "))
 }
 
 /// The unit of a key of a scene; empty if it has none.

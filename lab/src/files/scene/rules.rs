@@ -116,7 +116,7 @@ impl Draft {
                 match dimensions {
                     1 => "give one number, or a table [space] with `dimensions = 2`".to_owned(),
                     more => {
-                        format!("give {}, for example {:?}", numbers(more), example(&key, more))
+                        format!("give {}, for example {}", numbers(more), example(&key, more))
                     }
                 },
             ));

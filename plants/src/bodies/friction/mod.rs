@@ -38,7 +38,8 @@ pub use transition::{Transition, Transitions};
 /// A period may have 1024 pieces, about one for every radian that the fastest mode turns and one for each event.
 /// A period that needs more, or leaves the range of `f64` on the way, is moved over roughly: with the friction that
 /// applied at its start, held, if that takes energy from the device; if not, everything stands still for the period and
-/// the device is at rest after it. [`Transition::Cut`] reports it. Friction never adds energy.
+/// the device is at rest after it. [`Transition::Cut`] reports it. Friction never adds energy, but for rounding: the
+/// stretch of a link comes back as a difference of positions, of which `f32` far from 0 leaves few digits.
 ///
 /// ```
 /// use approx::abs_diff_eq;
