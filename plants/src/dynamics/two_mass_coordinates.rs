@@ -35,6 +35,8 @@ impl<V: Signal> Coordinates<V> for TwoMassCoordinates<V> {
 
 #[cfg(test)]
 mod tests {
+    use num_traits::Zero;
+
     use super::*;
 
     #[test]
