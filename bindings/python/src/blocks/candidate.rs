@@ -7,7 +7,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
-use super::sample::accepted;
+use super::sample::checked;
 use super::{Raised, Sample};
 use crate::axes::Axes;
 use crate::errors::kind;
@@ -26,7 +26,7 @@ impl<V: Axes> LyapunovCandidate<V> for Candidate {
     fn decrease(&mut self, sample: &PortSample<V>) -> f64 {
         match self {
             Self::Damped(candidate) => candidate.decrease(sample),
-            Self::Python { object, raised } => decrease(object, raised, accepted(*sample)),
+            Self::Python { object, raised } => decrease(object, raised, checked(*sample)),
         }
     }
 }
@@ -52,7 +52,7 @@ impl Candidate {
 
 /// What the object says; NaN, which a stabilizer rejects, if it raises.
 fn decrease<V: Axes>(object: &Py<PyAny>, raised: &Raised, sample: CheckedSample<V>) -> f64 {
-    Python::attach(|py| {
+    let told = Python::try_attach(|py| {
         let told = object.call_method1(py, "decrease", (Sample(V::sample(sample)),));
         let number = told.and_then(|told| {
             let told = told.bind(py);
@@ -62,7 +62,9 @@ fn decrease<V: Axes>(object: &Py<PyAny>, raised: &Raised, sample: CheckedSample<
             raised.keep(error);
             f64::NAN
         })
-    })
+    });
+    // An interpreter that ends cannot be asked.
+    told.unwrap_or(f64::NAN)
 }
 
 /// The error of what `object` returned, which is no number.

@@ -9,10 +9,10 @@ use lyapunov_lab::{Rollout, Space, Summary, in_space, in_space_of, row_numbers, 
 use pyo3::prelude::*;
 
 use super::rows::Rows;
-use super::work::{Fault, Watched, wait};
+use super::work::{Fault, Watched, wait_asking};
 use super::{Scene, Told};
 use crate::axes::Axes;
-use crate::blocks::{PythonStabilizer, Raised, Stabilizer};
+use crate::blocks::{Asker, PythonStabilizer, Raised, Stabilizer};
 use crate::errors;
 
 /// Ticks between two looks at whether to go on.
@@ -24,7 +24,7 @@ enum By {
     Scene,
     Name(StabilizerName),
     /// An object with a method `stabilize(sample, effort)`.
-    Python(Py<PyAny>, Raised),
+    Python(Py<PyAny>),
 }
 
 /// One run: its summary, and the rows of docs/contract.md if they are asked for.
@@ -44,11 +44,11 @@ pub(crate) fn run(
             Ok(name) => By::Name(name.parse().map_err(errors::input)?),
             Err(_) => {
                 PythonStabilizer::check(given, "stabilizer")?;
-                By::Python(given.clone().unbind(), Raised::default())
+                By::Python(given.clone().unbind())
             }
         },
     };
-    wait(py, progress, scene.ticks(), move |watched| {
+    wait_asking(py, progress, scene.ticks(), move |watched| {
         let rows = Rows::of(&scene, rows)?;
         told(&scene, &name, &by, rows, watched)
     })
@@ -77,12 +77,13 @@ fn told(
                 drain(&told, name, rollout, rows, watched)
             })
         }
-        By::Python(object, raised) => {
+        By::Python(object) => {
             in_f64(scene)?;
             let told = in_space_of!(f64, scene, V => {
-                drain(scene, name, foreign::<V>(scene, object, raised)?, rows, watched)
+            let run = Asker { raised: Raised::default(), stopped: watched.stop() };
+                drain(scene, name, foreign::<V>(scene, object, &run)?, rows, watched)
             });
-            raised.check()?;
+            run.raised.check()?;
             told
         }
     }
@@ -102,13 +103,13 @@ pub(super) fn in_f64(scene: &lab::Scene) -> Result<(), Fault> {
 fn foreign<V: Space + Axes>(
     scene: &lab::Scene,
     object: &Py<PyAny>,
-    raised: &Raised,
+    run: &Asker,
 ) -> Result<Rollout<V>, Fault> {
-    let made = Python::attach(|py| -> PyResult<_> {
+    let made = Python::try_attach(|py| -> PyResult<_> {
         let object = object.bind(py);
-        Ok((who(object)?, PythonStabilizer::of(object, raised.clone())?))
+        Ok((who(object)?, PythonStabilizer::of(object, run.clone())?))
     });
-    let (name, made) = made?;
+    let (name, made) = made.ok_or(Fault::Stopped)??;
     Ok(Rollout::stabilized_by(scene, made).map_err(Fault::input)?.called(name))
 }
 
