@@ -1,5 +1,7 @@
 //! Candidate of an observer: the port's energy, with a damper credited, or one written in Python.
 
+use std::sync::Arc;
+
 use lyapunov::{
     CheckedSample, Dissipation, LyapunovCandidate, ParameterError, PortEnergy, PortSample, Snapshot,
 };
@@ -18,7 +20,7 @@ pub(crate) enum Candidate {
     /// The port's energy, with the credit of a damper.
     Damped((PortEnergy, Dissipation<f64>)),
     /// An object with a method `decrease(sample)`.
-    Python { object: Py<PyAny>, raised: Raised },
+    Python { object: Arc<Py<PyAny>>, raised: Raised },
 }
 
 impl<V: Axes> LyapunovCandidate<V> for Candidate {

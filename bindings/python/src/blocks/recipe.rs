@@ -1,5 +1,7 @@
 //! Recipe of a stabilizer: its name, its numbers and its candidate, from which it is made, and made again.
 
+use std::sync::Arc;
+
 use lyapunov::stabilizers::{
     EnergyBounding, ForceBound, ForceBounding, LeastNorm, Member, NoStabilizer, SlopeBound,
     StabilizerExt, Tank, TankLimits, WindowedCredit,
@@ -62,8 +64,9 @@ pub(crate) struct Recipe {
     pub(crate) numbers: Vec<f64>,
     /// The damping that a candidate credits.
     pub(crate) damping: Option<f64>,
-    /// A candidate written in Python.
-    pub(crate) object: Option<Py<PyAny>>,
+    /// A candidate written in Python, the same reference that what is made of the recipe holds: whoever collects garbage
+    /// counts it once.
+    pub(crate) object: Option<Arc<Py<PyAny>>>,
 }
 
 impl Recipe {
@@ -95,7 +98,7 @@ impl Recipe {
         if *name == "lolc" {
             known.extend(["damping", "candidate"]);
             damping = taken("damping")?.map(|value| number(&value, "damping")).transpose()?;
-            object = taken("candidate")?.map(Candidate::checked).transpose()?;
+            object = taken("candidate")?.map(Candidate::checked).transpose()?.map(Arc::new);
         }
         let given = given.into_iter().flat_map(|given| given.keys());
         let given: Vec<String> = given.map(|key| key.extract()).collect::<PyResult<_>>()?;
@@ -121,7 +124,7 @@ impl Recipe {
     /// The candidate that credits `damping`, or that `object` tells.
     pub(crate) fn candidate(
         damping: Option<f64>,
-        object: Option<Py<PyAny>>,
+        object: Option<Arc<Py<PyAny>>>,
         raised: &Raised,
     ) -> PyResult<Candidate> {
         match (damping, object) {
@@ -137,7 +140,7 @@ impl Recipe {
 
     /// A copy.
     pub(crate) fn again(&self, py: Python<'_>) -> Self {
-        let object = self.object.as_ref().map(|object| object.clone_ref(py));
+        let object = self.object.as_ref().map(|object| Arc::new(object.clone_ref(py)));
         Self { name: self.name, numbers: self.numbers.clone(), damping: self.damping, object }
     }
 
@@ -152,7 +155,7 @@ impl Recipe {
             arguments.set_item("damping", damping)?;
         }
         if let Some(object) = &self.object {
-            arguments.set_item("candidate", object)?;
+            arguments.set_item("candidate", &**object)?;
         }
         Ok(arguments)
     }
