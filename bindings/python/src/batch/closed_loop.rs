@@ -12,6 +12,7 @@ use crate::blocks::{Recipe, Stabilizer, seen};
 use crate::errors::{self, of_class};
 use crate::lab::{Fault, wait_here};
 use crate::whole;
+use crate::number;
 
 /// Simulates closed loops: a mass with damping on a hand's spring, moved exactly, against a one-sided wall that is sampled and
 /// held, with a stabilizer at the servo's rate. Returns float64 arrays of shape (loops,) by name: `position`, m, and
@@ -30,7 +31,7 @@ use crate::whole;
 pub(crate) fn closed_loop<'py>(
     py: Python<'py>,
     #[pyo3(from_py_with = whole::ticks)] ticks: u64,
-    period: f64,
+    #[pyo3(from_py_with = number::period)] period: f64,
     mass: &Bound<'py, PyAny>,
     wall_stiffness: &Bound<'py, PyAny>,
     damping: Option<&Bound<'py, PyAny>>,
@@ -119,7 +120,7 @@ enum Told<'py> {
 impl<'py> Told<'py> {
     fn of(value: Option<&Bound<'py, PyAny>>, name: &'static str) -> PyResult<Self> {
         let Some(value) = value else { return Ok(Self::All(0.0)) };
-        if let Ok(number) = value.extract::<f64>() {
+        if let Some(number) = number::real(value)? {
             return Ok(Self::All(number));
         }
         let given = Given::of(value, name)?;

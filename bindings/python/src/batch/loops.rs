@@ -16,6 +16,7 @@ use crate::blocks::{Recipe, Stabilizer, seen, taken};
 use crate::errors::{self, of_class};
 use crate::lab::pool;
 use crate::whole;
+use crate::number;
 
 /// Groups of loops that a thread takes at once.
 const SHARE: usize = 16;
@@ -81,8 +82,8 @@ impl Batch {
     fn new(
         stabilizer: &Bound<'_, PyAny>,
         #[pyo3(from_py_with = whole::loops)] loops: usize,
-        period: f64,
-        no_faster_than: Option<f64>,
+        #[pyo3(from_py_with = number::period)] period: f64,
+        #[pyo3(from_py_with = number::no_faster_than_if_any)] no_faster_than: Option<f64>,
     ) -> PyResult<Self> {
         let stabilizer = seen(of_class::<Stabilizer>(stabilizer, "stabilizer")?)?;
         let recipe = &stabilizer.recipe;

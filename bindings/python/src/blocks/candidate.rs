@@ -13,6 +13,7 @@ use super::sample::checked;
 use super::{Raised, Sample};
 use crate::axes::Axes;
 use crate::errors::kind;
+use crate::number;
 
 /// Candidate of an observer.
 #[derive(Debug)]
@@ -58,7 +59,7 @@ fn decrease<V: Axes>(object: &Py<PyAny>, raised: &Raised, sample: CheckedSample<
         let told = object.call_method1(py, "decrease", (Sample(V::sample(sample)),));
         let number = told.and_then(|told| {
             let told = told.bind(py);
-            told.extract::<f64>().map_err(|_| no_number(object.bind(py), told))
+            number::real(told)?.ok_or_else(|| no_number(object.bind(py), told))
         });
         number.unwrap_or_else(|error| {
             raised.keep(error);

@@ -11,6 +11,7 @@ use super::deep_copy::{Asking, deep_copy};
 use super::{AnySample, Candidate, Raised, Recipe, Sample, seen, taken};
 use crate::axes::{Axes, whatever_axes};
 use crate::errors::{self, of_class};
+use crate::number;
 use crate::stored;
 
 type Inner = Observing<Candidate, lyapunov::Held, lyapunov::accumulators::Plain<f64>>;
@@ -36,8 +37,7 @@ impl Observer {
     #[new]
     #[pyo3(signature = (*, damping=None, candidate=None))]
     fn new(
-        py: Python<'_>,
-        damping: Option<f64>,
+        #[pyo3(from_py_with = number::damping_if_any)] damping: Option<f64>,
         candidate: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let candidate = candidate.map(Candidate::checked).transpose()?;

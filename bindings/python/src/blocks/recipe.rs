@@ -11,7 +11,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::{Candidate, Raised};
-use crate::errors::{self, kind};
+use crate::errors;
+use crate::number;
 
 /// A number that a stabilizer is made of: its name, its unit, and what it is where it is left out.
 struct Number(&'static str, &'static str, Option<f64>);
@@ -224,9 +225,7 @@ fn complete(name: &str, missing: &[(&str, &str)]) -> PyResult<()> {
 
 /// A number; whole and above 0 where it counts ticks.
 fn number(value: &Bound<'_, PyAny>, key: &str) -> PyResult<f64> {
-    let number: f64 = value.extract().map_err(|_| {
-        errors::input(format!("{key} is {}, which is no number\n  = give a float", kind(value)))
-    })?;
+    let number = number::number(value, key)?;
     let is_count = number.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(&number);
     match key == "ticks" && !is_count {
         true => Err(errors::input(format!(

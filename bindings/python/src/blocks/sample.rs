@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::number;
 use crate::stored;
 use crate::whole;
 
@@ -50,7 +51,7 @@ impl Sample {
     #[new]
     #[pyo3(signature = (period, position, velocity, displacement, applied, *, axes=1))]
     fn new(
-        period: f64,
+        #[pyo3(from_py_with = number::period)] period: f64,
         position: &Bound<'_, PyAny>,
         velocity: &Bound<'_, PyAny>,
         displacement: &Bound<'_, PyAny>,

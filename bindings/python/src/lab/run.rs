@@ -14,6 +14,7 @@ use super::{Scene, Told};
 use crate::axes::Axes;
 use crate::blocks::{Asker, PythonStabilizer, Raised, Stabilizer};
 use crate::errors;
+use crate::number;
 
 /// Ticks between two looks at whether to go on.
 const BREATH: u64 = 1 << 12;
@@ -34,7 +35,7 @@ pub(crate) fn run(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     stabilizer: Option<&Bound<'_, PyAny>>,
-    rows: bool,
+    #[pyo3(from_py_with = number::rows)] rows: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
@@ -79,8 +80,8 @@ fn told(
         }
         By::Python(object) => {
             in_f64(scene)?;
-            let told = in_space_of!(f64, scene, V => {
             let run = Asker { raised: Raised::default(), stopped: watched.stop() };
+            let told = in_space_of!(f64, scene, V => {
                 drain(scene, name, foreign::<V>(scene, object, &run)?, rows, watched)
             });
             run.raised.check()?;
