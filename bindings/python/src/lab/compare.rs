@@ -74,7 +74,14 @@ fn makers(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own
     };
     let mut entrants: Vec<Own> = Vec::new();
     for item in mapping.items()? {
-        let (name, make): (String, Bound<'_, PyAny>) = item.extract()?;
+        let (name, make): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
+        let Ok(name) = name.extract::<String>() else {
+            return Err(PyTypeError::new_err(format!(
+                "a name in own is {}, of the type {}; give your own a name, a str",
+                name.repr()?,
+                name.get_type().name()?
+            )));
+        };
         if name.trim().is_empty() {
             return Err(errors::input("a name in own is empty\n  = give your own a name"));
         }
