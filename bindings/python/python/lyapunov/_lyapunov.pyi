@@ -9,7 +9,8 @@ import numpy.typing as npt
 from typing_extensions import Self
 
 _Vector = npt.NDArray[np.float64]
-_Signal = float | _Vector | Sequence[float]
+_Real = np.floating[Any] | np.integer[Any]
+_Signal = float | _Real | npt.NDArray[_Real] | Sequence[float]
 _Axes = Literal[1, 2, 3, 6, 7]
 
 __version__: str
