@@ -6,11 +6,12 @@ use nalgebra::SVector;
 use numpy::{PyArray1, PyArrayDescrMethods, PyArrayMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyFloat;
+use pyo3::types::{PyFloat, PySequence, PyString};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::errors::{self, kind};
+use crate::number;
 
 use crate::blocks::{AnyCorrection, AnyMember, AnyReadings, AnySample, Candidate, Kinds, Readings};
 
@@ -63,7 +64,22 @@ fn wrong(value: &Bound<'_, PyAny>, name: &str, count: usize) -> PyErr {
             "an array of real numbers of shape ({count},), or a sequence of {count} numbers"
         ),
     };
-    PyTypeError::new_err(format!("{name} is {}; give {wanted}", kind(value)))
+    let other = match several(value).filter(|axes| *axes != count) {
+        Some(axes) => format!(", or make it with axes={axes}"),
+        None => String::new(),
+    };
+    PyTypeError::new_err(format!("{name} is {}; give {wanted}{other}", kind(value)))
+}
+
+/// The several axes of a block that would take the value: as many as it has numbers.
+fn several(value: &Bound<'_, PyAny>) -> Option<usize> {
+    let count = match value.cast::<PyUntypedArray>() {
+        Ok(array) if array.ndim() == 1 => array.len(),
+        Ok(_) => return None,
+        Err(_) if value.is_instance_of::<PyString>() => return None,
+        Err(_) => value.cast::<PySequence>().ok()?.len().ok()?,
+    };
+    (count > 1 && COUNTS.contains(&count)).then_some(count)
 }
 
 /// The error of an array that does not lie where a float64 may.
@@ -83,12 +99,8 @@ impl Axes for f64 {
         }
         if let Ok(array) = value.cast::<PyUntypedArray>() {
             unmasked(array, name)?;
-            // An array of one number would be taken as well, and mean that axes are missing.
-            if array.ndim() > 0 {
-                return Err(wrong(value, name, 1));
-            }
         }
-        value.extract().map_err(|_| wrong(value, name, 1))
+        number::real(value)?.ok_or_else(|| wrong(value, name, 1))
     }
 
     #[inline]
@@ -136,7 +148,7 @@ impl Axes for f64 {
     fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
         match &mut readings.readings {
             AnyReadings::One(kinds) => Ok(kinds),
-            other => Err(differs("stabilizer", 1, other.axes())),
+            other => Err(others(other.axes(), 1)),
         }
     }
 }
@@ -194,7 +206,7 @@ macro_rules! vectors {
             fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
                 match &mut readings.readings {
                     AnyReadings::$variant(kinds) => Ok(kinds),
-                    other => Err(differs("stabilizer", $count, other.axes())),
+                    other => Err(others(other.axes(), $count)),
                 }
             }
         }
@@ -219,8 +231,16 @@ fn vector<const N: usize>(value: &Bound<'_, PyAny>, name: &str) -> PyResult<SVec
     if let Ok(array) = value.cast::<PyUntypedArray>() {
         return converted(array, name);
     }
-    let numbers: [f64; N] = value.extract().map_err(|_| wrong(value, name, N))?;
-    Ok(numbers.into())
+    let Some(items) = value.cast::<PySequence>().ok().filter(|it| it.len().is_ok_and(|n| n == N))
+    else {
+        return Err(wrong(value, name, N));
+    };
+    let mut numbers = SVector::zeros();
+    for axis in 0..N {
+        numbers[axis] =
+            number::real(&items.get_item(axis)?)?.ok_or_else(|| wrong(value, name, N))?;
+    }
+    Ok(numbers)
 }
 
 /// The vector that an array of other real numbers tells.
@@ -252,6 +272,14 @@ fn differs(what: &str, found: usize, wanted: usize) -> PyErr {
     let axes = if found == 1 { "axis" } else { "axes" };
     errors::input(format!(
         "the {what} has {found} {axes} and the block {wanted}; make both with the same axes="
+    ))
+}
+
+/// The error of readings of `found` axes for a stabilizer of `wanted`.
+fn others(found: usize, wanted: usize) -> PyErr {
+    let axes = if found == 1 { "axis" } else { "axes" };
+    errors::input(format!(
+        "the readings have {found} {axes} and the stabilizer {wanted}; make both with the same axes="
     ))
 }
 

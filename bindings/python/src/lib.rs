@@ -6,6 +6,7 @@ mod blocks;
 mod command;
 mod errors;
 mod lab;
+mod number;
 mod stored;
 mod whole;
 

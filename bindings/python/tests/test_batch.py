@@ -222,3 +222,14 @@ def test_members_of_an_ensemble_are_scenes_by_their_numbers():
     assert still.table["verdict"] == [run.verdict] * 3
     with pytest.raises(ly.InputError, match="share below 1"):
         ly.ensemble(scene, 20, mass=3.0)
+
+
+def test_an_array_of_one_number_is_one_loop():
+    """With every NumPy: it is no number for all loops, and no float."""
+    ends = ly.closed_loop(3, 1e-3, mass=np.ones(1), wall_stiffness=1.0)
+    assert ends["position"].shape == (1,)
+    with pytest.raises(ly.InputError, match=r"^arrays of \[1, 3\] loops; give all the same length"):
+        ly.closed_loop(3, 1e-3, mass=np.ones(1), wall_stiffness=np.ones(3))
+    assert ly.closed_loop(3, 1e-3, mass=np.ones(3), wall_stiffness=np.array(1.0))["largest"].shape == (3,)
+    with pytest.raises(TypeError, match="^mass is an array of int64; give an array of float64"):
+        ly.closed_loop(3, 1e-3, mass=np.ones(1, dtype=np.int64), wall_stiffness=1.0)

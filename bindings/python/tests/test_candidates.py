@@ -1,5 +1,9 @@
 """Candidates of one's own: what they may be, and may return."""
 
+import copy
+import gc
+import weakref
+
 import lyapunov as ly
 import numpy as np
 import pytest
@@ -46,3 +50,50 @@ def test_an_error_of_the_candidate_is_its_own():
 
     with pytest.raises(TypeError, match="^mine$"):
         ly.Observer(candidate=Broken()).observe(ly.Sample(PERIOD, 0.0, 0.0, 0.0, 0.0))
+
+
+def test_a_candidate_is_told_whether_the_reading_was_accepted():
+    """A store of its own sums what was, and not what was lost."""
+    seen = []
+
+    class Watching:
+        def decrease(self, sample):
+            seen.append((sample.accepted, bool(np.isfinite(sample.work))))
+            return sample.work
+
+    stabilizer = ly.Stabilizer("lolc", limit=10.0, candidate=Watching())
+    observer, readings, given = ly.Observer(candidate=Watching()), ly.Readings(PERIOD, no_faster_than=2.0), []
+    for position in (0.0, 1e-4, None, 5.0, float("nan"), 2e-4):
+        sample = readings.read(position, 1.0)
+        for ask in (lambda it: stabilizer.stabilize(it, 1.0), observer.observe):
+            before = len(seen)
+            ask(sample)
+            assert all(told == (sample.accepted,) * 2 for told in seen[before:])
+        given.append(sample.accepted)
+    assert given == [True, True, False, False, False, True]
+    assert (False, False) in seen and (True, True) in seen
+
+
+@pytest.mark.parametrize("make", MAKERS)
+@pytest.mark.parametrize("axes", [1, 3])
+def test_a_candidate_that_holds_its_block_is_freed(make, axes):
+    class Holding(Mine):
+        pass
+
+    candidate = Holding(0.0)
+    candidate.block = make(candidate, axes)
+    candidate.copy = copy.copy(candidate.block)
+    # A call leaves nothing behind that holds it.
+    sample = ly.Sample(PERIOD, *(np.zeros((4, axes)) if axes > 1 else np.zeros(4)), axes=axes)
+    candidate.block.observe(sample) if isinstance(candidate.block, ly.Observer) else candidate.block.stabilize(sample, sample.applied)
+    seen = weakref.ref(candidate)
+    del candidate
+    gc.collect()
+    assert seen() is None
+
+
+def test_a_block_that_is_held_keeps_its_candidate():
+    block = ly.Stabilizer("lolc", limit=1.0, candidate=Mine(0.5))
+    gc.collect()
+    assert "candidate=" in repr(block)
+    assert block.stabilize(ly.Sample(PERIOD, 0.0, 0.0, 0.0, 0.0), 0.0).observed_energy == 0.5

@@ -121,3 +121,12 @@ def test_a_copied_batch_goes_on_as_it_was():
         assert np.array_equal(told.effort, expected.effort) and np.array_equal(told.observed_energy, expected.observed_energy)
     with pytest.raises(TypeError, match="pickle"):
         pickle.dumps(batch)
+
+
+def test_corrections_are_pickled_and_shown():
+    told = ly.Batch(ly.Stabilizer("popc", limit=1.0, axes=2), 4, 1e-3).stabilize(*np.random.default_rng(1).normal(size=(3, 5, 4, 2)))
+    again = pickle.loads(pickle.dumps(told))
+    for name in ("effort", "observed_energy", "alpha", "shortfall", "accepted"):
+        one, other = getattr(told, name), getattr(again, name)
+        assert one.dtype == other.dtype and one.shape == other.shape and one.tobytes() == other.tobytes()
+    assert repr(told) == repr(copy.deepcopy(told)) == f"<Corrections: efforts of shape (5, 4, 2), {told.accepted.sum()} of 20 accepted>"

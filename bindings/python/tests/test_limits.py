@@ -84,3 +84,32 @@ def test_threads_are_no_more_than_there_is_work_for(axes):
         ly.map(TABLES, *axes, threads=100_000)
     told = ly.map(TABLES, *axes, threads=1024, stabilizers="none")
     assert told.document.get("threads", 4) == 4
+
+
+SETUP = """
+import resource
+import lyapunov as ly
+import numpy as np
+popc = ly.Stabilizer("popc", limit=1.0)
+ly.Batch(popc, 1000, 1e-3).stabilize(*[np.zeros(1000)] * 3)
+ly.closed_loop(1, 1e-3, mass=np.ones(1000), wall_stiffness=1.0)
+wide, long = np.ones((1000, 10000)), np.ones(10**7)
+batch = ly.Batch(popc, 10000, 1e-3)
+held = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (held + 200_000_000,) * 2)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is limited as on Linux")
+@pytest.mark.parametrize(
+    "call, told",
+    [
+        ("batch.stabilize(wide, wide, wide)", "there is no memory for the corrections of 1000 ticks of 10000 loops; give fewer"),
+        ("ly.replay(ly.Readings(1e-3), popc, long, long, long)", "there is no memory for the corrections of 10000000 ticks of 1 loops"),
+        ("ly.closed_loop(1, 1e-3, mass=long, wall_stiffness=1.0)", "there is no memory for the ends of 10000000 loops; give fewer"),
+    ],
+)
+def test_arrays_without_memory_are_an_error_and_no_end(call, told):
+    script = f"{SETUP}\ntry:\n    {call}\nexcept MemoryError as error:\n    print(error)\n"
+    ran = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True)
+    assert ran.returncode == 0 and ran.stdout.startswith(told), ran.stderr

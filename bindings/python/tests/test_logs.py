@@ -65,3 +65,63 @@ def test_what_stabilizers_would_have_done_is_a_table():
     assert table["ticks"].tolist() == [row["ticks"] for row in rows] and table["ticks"].dtype == np.int64
     assert table["energy_taken"].tolist() == [row["energy_taken"] for row in rows]
     assert ly.observe(LOG).replay.table == {}
+
+
+STEPS = np.arange(200)
+SECONDS = {"t": STEPS / 1000, "x": 1e-3 * np.sin(0.04 * STEPS), "f": np.maximum(0.0, 8.0 * np.sin(0.04 * STEPS + 0.3))}
+
+
+@pytest.mark.parametrize(
+    "column, told, remedy",
+    [
+        (STEPS.astype("m8[ms]"), r"times, of the type timedelta64\[ms\]", r'\(t\) / numpy.timedelta64\(1, "s"\)'),
+        (
+            np.datetime64("2026-01-01", "ns") + STEPS.astype("m8[ms]"),
+            r"times, of the type datetime64\[ns\]",
+            r'\(t - t\[0\]\) / numpy.timedelta64\(1, "s"\)',
+        ),
+        (SECONDS["t"] + 1j, "complex numbers, of the type complex128", "give real numbers"),
+    ],
+)
+def test_times_and_complex_numbers_are_no_seconds(column, told, remedy):
+    """As numbers they would be whole nanoseconds, or lose a part. What is told to do about times is right."""
+    with pytest.raises(ly.InputError, match=rf"^the column t of the log holds {told}\n  = .*{remedy}"):
+        ly.observe({**SECONDS, "t": column})
+    if column.dtype.kind != "c":
+        seconds = (column - column[0]) / np.timedelta64(1, "s")
+        assert numbers(ly.observe({**SECONDS, "t": seconds})) == numbers(ly.observe(SECONDS))
+
+
+@pytest.mark.parametrize("form", ["pandas", "polars"])
+def test_times_of_frames_are_no_seconds(form):
+    library = pytest.importorskip(form)
+    times = np.datetime64("2026-01-01", "us") + STEPS.astype("m8[ms]")
+    with pytest.raises(ly.InputError, match=r"^the column t of the log holds times, of the type datetime64"):
+        ly.observe(library.DataFrame({**SECONDS, "t": times}))
+
+
+@pytest.mark.parametrize("columns", ["t,x,f", ["t", "x", "f"], "2,4,5"])
+@pytest.mark.parametrize("other", [["a"] * 200, STEPS.astype("m8[ms]"), [None] * 200, [[0.0, 1.0]] * 200])
+def test_a_column_that_nobody_asks_for_may_hold_anything(columns, other):
+    log = {"label": other, "t": SECONDS["t"], "note": other, "x": SECONDS["x"], "f": SECONDS["f"]}
+    assert numbers(ly.observe(log, columns=columns)) == numbers(ly.observe(SECONDS))
+    with pytest.raises(ly.InputError):
+        ly.observe(log, columns="label,x,f")
+
+
+def test_a_column_that_is_asked_for_holds_numbers():
+    log = {**SECONDS, "label": ["a"] * 200}
+    for columns in ("label,x,f", "4,2,3", None):
+        with pytest.raises(ly.InputError, match="^the column label of the log holds what is no number"):
+            ly.observe(log, columns=columns)
+
+
+def test_scales_may_be_a_dictionary():
+    log = {**SECONDS, "x": 1e3 * SECONDS["x"]}
+    by_words = ly.observe(log, scale=["x=1e-3", "f=-1"])
+    assert numbers(ly.observe(log, scale={"x": np.float64(1e-3), "f": -1})) == numbers(by_words)
+    assert numbers(ly.observe(SECONDS, scale=None)) == numbers(ly.observe(SECONDS))
+    with pytest.raises(TypeError, match=r"^scale\['x'\] is 'mm'; give the factor to SI, a float"):
+        ly.observe(log, scale={"x": "mm"})
+    with pytest.raises(TypeError, match="^scale is int; give a str, or a list of them"):
+        ly.observe(log, scale=3)

@@ -79,6 +79,7 @@ def test_a_force_that_is_no_number_is_told_as_such(scene, axes):
     "own, told",
     [
         ([Damper], "^own is list; give a dictionary"),
+        ({1: Damper}, "^a name in own is 1, of the type int; give your own a name, a str"),
         ({"mine": Damper()}, r"^own\[\"mine\"\] is Damper, which cannot be called"),
         ({"mine": lambda: None}, "^what own made is NoneType; give"),
         ({"mine": lambda: Damper}, "^what own made is the class Damper; give an object of it"),

@@ -77,3 +77,21 @@ def test_a_log_without_contacts_has_the_columns_of_one_with_them(tmp_path):
     header, row = (tmp_path / "contact" / "observe.csv").read_text().splitlines()
     assert list(table["contact"]) == header.split(",")
     assert [column[0] for column in table["contact"].values()] == [float(field or "nan") for field in row.split(",")]
+
+
+def test_a_number_that_is_not_there_is_null():
+    """As NaN it would be taken for a number, the largest of all."""
+    told = ly.compare(ly.Scene.shipped("paper-50k-none"), stabilizers="none")
+    assert np.isnan(told.table["settling_time_s"]).tolist() == [True]
+    pytest.importorskip("polars")
+    assert told.to_polars()["settling_time_s"].to_list() == [None] and str(told.to_polars()["settling_time_s"].dtype) == "Float64"
+    pytest.importorskip("pyarrow")
+    assert told.to_arrow()["settling_time_s"].to_pylist() == [None] and str(told.to_arrow()["settling_time_s"].type) == "double"
+
+
+def test_the_table_of_a_replay_is_shown_as_one():
+    steps = np.arange(200)
+    log = {"t": 1e-3 * steps, "x": 1e-3 * np.sin(0.04 * steps), "f": np.maximum(0.0, 8.0 * np.sin(0.04 * steps + 0.3))}
+    told = ly.observe(log, stabilizers="popc", scene=ly.Scene(TABLES)).replay
+    assert repr(told).startswith("<Table: stabilizer, ") and "<td>popc</td>" in told._repr_html_()
+    assert repr(ly.observe(log).replay) == "<Table: >" and "Table" in ly.observe(log).replay._repr_html_()

@@ -13,13 +13,23 @@ PERIOD = 1e-3
 
 def test_a_block_that_threads_share_never_gives_a_wrong_answer():
     """Calls of one block take turns, or say that it is in use; each that returns has been booked once."""
-    readings, observer = ly.Readings(PERIOD), ly.Observer()
+
+    class Yielding:
+        """A candidate within whose call other threads run."""
+
+        def decrease(self, sample):
+            time.sleep(0)
+            return sample.work
+
+    readings, observer = ly.Readings(PERIOD), ly.Observer(candidate=Yielding())
+    start = threading.Barrier(4)
     readings.read(0.0, 0.0)
     sample = readings.read(1e-4, 1.0)
     booked, refused = [], []
 
     def book():
         done = 0
+        start.wait()
         for _ in range(5000):
             try:
                 observer.observe(sample)
@@ -34,7 +44,7 @@ def test_a_block_that_threads_share_never_gives_a_wrong_answer():
     for thread in threads:
         thread.join()
     assert observer.observed_energy == pytest.approx(sum(booked) * sample.work, rel=1e-9)
-    assert all("borrowed" in said for said in refused)
+    assert set(refused) == {"this Observer is in use by another call; make a Observer for each loop"}
 
 
 def test_batches_run_without_the_interpreters_lock():

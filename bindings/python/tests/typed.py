@@ -11,6 +11,12 @@ run: ly.Result = ly.run({"duration": 1.0})
 batch: ly.Corrections = ly.Batch(popc, 8, 1e-3).stabilize(np.zeros((8, 3)), np.zeros((8, 3)), np.zeros((8, 3)))
 bare: ly.Result = ly.run({"duration": 1.0}, rows=False)
 log: ly.Result = ly.observe({"t": np.zeros(3), "x": np.zeros(3), "f": np.zeros(3)}, columns=["t", "x", "f"], scale=["f=-1"])
+converted: ly.Sample = readings.read(np.zeros(3, dtype=np.float32), np.zeros(3, dtype=np.int64))
+scalar: ly.Sample = ly.Readings(1e-3).read(np.float32(1.0), np.int64(2))
+whole: ly.Sample = readings.read([0, 0, 0], (0.0, 0.0, 0.0))
+kept: ly.Tuning = ly.tune({"duration": 1.0})
+same: ly.Ensemble = ly.lab.ensemble({"duration": 1.0}, 3)
+table: ly.Table = ly.observe({"t": np.zeros(3)}, scale={"x": 1e-3}).replay
 
 
 def named(name: str) -> ly.Stabilizer:

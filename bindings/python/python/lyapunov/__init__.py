@@ -11,6 +11,7 @@ Power effort · velocity > 0 flows into the environment: an effort resists the m
 # First, so that an interrupt of a call never meets it half loaded.
 import numpy as _numpy  # noqa: F401
 
+from lyapunov import lab as lab
 from lyapunov._lyapunov import (
     Batch,
     Correction,
@@ -38,20 +39,42 @@ from lyapunov.lab import (
     run,
     tune,
 )
-from lyapunov.results import Result
+from lyapunov.results import (
+    Accuracy,
+    Bound,
+    Comparison,
+    Ensemble,
+    Explanation,
+    Map,
+    Observation,
+    Result,
+    Run,
+    Table,
+    Tuning,
+)
 
 __all__ = [
+    "Accuracy",
     "Batch",
+    "Bound",
+    "Comparison",
     "Correction",
     "Corrections",
+    "Ensemble",
+    "Explanation",
     "InputError",
+    "Map",
+    "Observation",
     "Observer",
     "Readings",
     "Result",
+    "Run",
     "Sample",
     "Scene",
     "SceneError",
     "Stabilizer",
+    "Table",
+    "Tuning",
     "__version__",
     "accuracy",
     "bound",
@@ -60,6 +83,7 @@ __all__ = [
     "damping_limit",
     "ensemble",
     "explain",
+    "lab",
     "map",
     "observe",
     "replay",

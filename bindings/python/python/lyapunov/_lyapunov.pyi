@@ -9,7 +9,8 @@ import numpy.typing as npt
 from typing_extensions import Self
 
 _Vector = npt.NDArray[np.float64]
-_Signal = float | _Vector | Sequence[float]
+_Real = np.floating[Any] | np.integer[Any]
+_Signal = float | _Real | npt.NDArray[_Real] | Sequence[float]
 _Axes = Literal[1, 2, 3, 6, 7]
 
 __version__: str
@@ -67,9 +68,11 @@ class Sample:
     @property
     def accepted(self) -> bool: ...
     @property
-    def jumped(self) -> bool: ...
+    def jumped(self) -> bool:
+        """False where a candidate or a stabilizer in Python is asked."""
     @property
-    def late(self) -> bool: ...
+    def late(self) -> bool:
+        """False where a candidate or a stabilizer in Python is asked."""
     def __eq__(self, other: object, /) -> bool: ...
     def __copy__(self) -> Sample: ...
     def __deepcopy__(self, memo: object, /) -> Sample: ...

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol, Union
 
 from lyapunov import _lyapunov, logs
-from lyapunov._lyapunov import Scene
+from lyapunov._lyapunov import InputError, Scene
 from lyapunov.logs import Log
 from lyapunov.progress import shown
 from lyapunov.results import (
@@ -46,8 +46,40 @@ def _scene(source: SceneLike) -> Scene:
     return Scene(dict(source) if isinstance(source, Mapping) else source)
 
 
-def _names(stabilizers: str | Iterable[str] | None) -> str | None:
-    return stabilizers if stabilizers is None or isinstance(stabilizers, str) else ",".join(stabilizers)
+def _names(argument: str, given: str | Iterable[str] | None) -> str | None:
+    if given is None or isinstance(given, str):
+        return given
+    words = _words(argument, given)
+    if not words:
+        raise InputError(f"{argument} is empty\n  = give one or more names, or leave it out")
+    return ",".join(words)
+
+
+def _words(argument: str, given: Iterable[str]) -> list[str]:
+    """The words of a list that the call's argument is, which names itself where it holds something else."""
+    try:
+        words = list(given)
+    except TypeError:
+        raise TypeError(f"{argument} is {type(given).__name__}; give a str, or a list of them") from None
+    for word in words:
+        if not isinstance(word, str):
+            raise TypeError(f"{argument} holds {word!r}, of the type {type(word).__name__}; give a str, or a list of them")
+    return words
+
+
+def _scales(given: str | Iterable[str] | Mapping[str, float] | None) -> list[str]:
+    if isinstance(given, Mapping):
+        return [f"{name}={_factor(name, factor)!r}" for name, factor in given.items()]
+    if not isinstance(given, str):
+        return [] if given is None else _words("scale", given)
+    return [given]
+
+
+def _factor(name: str, given: float) -> float:
+    try:
+        return float(given)
+    except (TypeError, ValueError):
+        raise TypeError(f"scale[{name!r}] is {given!r}; give the factor to SI, a float") from None
 
 
 def run(
@@ -81,7 +113,7 @@ def compare(
     """
     read = [_scene(scene) for scene in scenes]
     with shown(progress, "compare") as bar:
-        return Comparison(_lyapunov.compare(read, _names(stabilizers), own, by, bar))
+        return Comparison(_lyapunov.compare(read, _names("stabilizers", stabilizers), own, by, bar))
 
 
 def map(  # noqa: A001
@@ -100,7 +132,7 @@ def map(  # noqa: A001
     most 1024, one for each core by default.
     """
     with shown(progress, "map") as bar:
-        names = _names(stabilizers) or ""
+        names = _names("stabilizers", stabilizers) or ""
         return Map(_lyapunov.map(_scene(scene), x, y, names, threads, bar))
 
 
@@ -149,7 +181,7 @@ def observe(
     log: Log,
     *,
     columns: str | Iterable[str] | None = None,
-    scale: str | Iterable[str] = (),
+    scale: str | Iterable[str] | Mapping[str, float] | None = None,
     candidate: str = "spring",
     damping: float | None = None,
     surface: float | None = None,
@@ -162,20 +194,21 @@ def observe(
 
     `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]" or a list; or a table in memory: a
     dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI, as in
-    "x=1e-3", or several in a list. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
+    "x=1e-3", several in a list, or {"x": 1e-3}. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
     too. `contact`, N, is the force above which there is contact. With `stabilizers` and the `scene` that sets their numbers, what
     they would have done on the recorded motion.
     """
+    named = _names("columns", columns)
     with shown(progress, "observe") as bar:
         told = _lyapunov.observe(
-            logs.read(log),
-            _names(columns),
-            [scale] if isinstance(scale, str) else list(scale),
+            logs.read(log, named),
+            named,
+            _scales(scale),
             candidate,
             damping,
             surface,
             contact,
-            _names(stabilizers),
+            _names("stabilizers", stabilizers),
             None if scene is None else _scene(scene),
             bar,
         )
@@ -194,5 +227,5 @@ def tune(
 ) -> Tuning:
     """The parameters of each stabilizer that are best on a scene, from as many runs for each; docs/tune.md defines the terms."""
     with shown(progress, "tune") as bar:
-        names = _names(stabilizers) or ""
+        names = _names("stabilizers", stabilizers) or ""
         return Tuning(_lyapunov.tune(_scene(scene), names, objective, trials, runs, seed, bar))

@@ -15,14 +15,15 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import ray
-from ray.exceptions import RayTaskError
-
 from lyapunov import _lyapunov
 from lyapunov._lyapunov import InputError, Scene
 from lyapunov.lab import Progress, SceneLike, _names, _scene
 from lyapunov.progress import shown
-from lyapunov.results import Ensemble, Map
+from lyapunov.results import Ensemble, Map, _asked_for
+
+with _asked_for():
+    import ray
+    from ray.exceptions import RayTaskError
 
 if TYPE_CHECKING:
     from lyapunov.results import Column
@@ -57,7 +58,7 @@ def map(  # noqa: A001
     Only this process writes into it. A worker holds the table of its shard in memory. `shards` is their number, by default such that
     each takes some seconds.
     """
-    read, names, place = _scene(scene), _names(stabilizers) or "", Path(folder)
+    read, names, place = _scene(scene), _names("stabilizers", stabilizers) or "", Path(folder)
     place.mkdir(parents=True, exist_ok=True)
     cells = _lyapunov.map_cells(read, x, y, names)
     _connect()

@@ -52,15 +52,25 @@ class Table:
             import polars
 
         of = {name: polars.Boolean for name, it in self.table.items() if _may_be_unknown(it)}
-        return polars.DataFrame(self.table, schema_overrides=of)
+        # What is not there is null there, which means and comparisons leave out; NaN they take for a number.
+        return polars.DataFrame(self.table, schema_overrides=of).fill_nan(None)
 
     def to_arrow(self) -> pyarrow.Table:
         """The table as one of Arrow."""
         with _asked_for():
             import pyarrow
 
-        of = {name: pyarrow.array(it, pyarrow.bool_()) if _may_be_unknown(it) else it for name, it in self.table.items()}
-        return pyarrow.table(of)
+        def column(it: Column) -> pyarrow.Array[Any]:
+            # NaN is null there too.
+            return pyarrow.array(it, pyarrow.bool_()) if _may_be_unknown(it) else pyarrow.array(it, from_pandas=True)
+
+        return pyarrow.table({name: column(it) for name, it in self.table.items()})
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {', '.join(self.table)}>"
+
+    def _repr_html_(self) -> str:
+        return self._rows_in_html() or f"<pre>{html.escape(repr(self))}</pre>"
 
     def _rows_in_html(self) -> str:
         columns = list(self.table.items())
@@ -103,9 +113,6 @@ class Result(Table):
 
     def __str__(self) -> str:
         return self._told.text
-
-    def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {', '.join(self.table)}>"
 
     def _repr_html_(self) -> str:
         first = self.svg[0] if self.svg else ""

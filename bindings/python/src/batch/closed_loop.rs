@@ -3,7 +3,8 @@
 use lyapunov::bodies::Impedance;
 use lyapunov::stabilizers::Member;
 use lyapunov::{Dissipation, ParameterError, PortEnergy, Scalar};
-use lyapunov_lab::map::{self, Loops, Numbers};
+use lyapunov_lab::map::{self, Ends, Loops, Numbers};
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -11,6 +12,7 @@ use super::arrays::{Given, array};
 use crate::blocks::{Recipe, Stabilizer, seen};
 use crate::errors::{self, of_class};
 use crate::lab::{Fault, wait_here};
+use crate::number;
 use crate::whole;
 
 /// Simulates closed loops: a mass with damping on a hand's spring, moved exactly, against a one-sided wall that is sampled and
@@ -30,7 +32,7 @@ use crate::whole;
 pub(crate) fn closed_loop<'py>(
     py: Python<'py>,
     #[pyo3(from_py_with = whole::ticks)] ticks: u64,
-    period: f64,
+    #[pyo3(from_py_with = number::period)] period: f64,
     mass: &Bound<'py, PyAny>,
     wall_stiffness: &Bound<'py, PyAny>,
     damping: Option<&Bound<'py, PyAny>>,
@@ -67,8 +69,13 @@ pub(crate) fn closed_loop<'py>(
         wall_damping: wall_damping?,
         wall_position: wall_position?,
     };
-    let ends = wait_here(py, |watched| {
-        let ends = loops.ends(&recipe, &|| watched.go_on().is_continue());
+    let room = Ends::room(count).map_err(|_| {
+        PyMemoryError::new_err(format!(
+            "there is no memory for the ends of {count} loops; give fewer, in several calls"
+        ))
+    })?;
+    let ends = wait_here(py, move |watched| {
+        let ends = loops.ends_in(room, &recipe, &|| watched.go_on().is_continue());
         ends.map_err(errors::parameter)?.ok_or(Fault::Stopped)
     })?;
     let results = PyDict::new(py);
@@ -119,7 +126,7 @@ enum Told<'py> {
 impl<'py> Told<'py> {
     fn of(value: Option<&Bound<'py, PyAny>>, name: &'static str) -> PyResult<Self> {
         let Some(value) = value else { return Ok(Self::All(0.0)) };
-        if let Ok(number) = value.extract::<f64>() {
+        if let Some(number) = number::real(value)? {
             return Ok(Self::All(number));
         }
         let given = Given::of(value, name)?;

@@ -1,8 +1,30 @@
 //! Corrections of many ticks or loops, as arrays.
 
+use std::collections::TryReserveError;
+
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 
 use super::arrays::array;
+use crate::stored;
+
+/// Memory for results that is not there.
+pub(super) type Scarce = TryReserveError;
+
+/// The error of ticks for whose results there is no memory.
+pub(super) fn scarce(ticks: usize, loops: usize) -> PyErr {
+    PyMemoryError::new_err(format!(
+        "there is no memory for the corrections of {ticks} ticks of {loops} loops; give fewer ticks, in several calls"
+    ))
+}
+
+/// As many of `value`.
+fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, Scarce> {
+    let mut filled = Vec::new();
+    filled.try_reserve_exact(count)?;
+    filled.resize(count, value);
+    Ok(filled)
+}
 
 /// Corrections of many ticks or loops: `effort`, N, in the shape of the effort given; `observed_energy`, J, `alpha`, N·s/m,
 /// `shortfall`, J, and `accepted`, bool, without its axis of axes.
@@ -14,6 +36,35 @@ pub(crate) struct Corrections {
     alpha: Py<PyAny>,
     shortfall: Py<PyAny>,
     accepted: Py<PyAny>,
+}
+
+#[pymethods]
+impl Corrections {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        let (py, it) = (slf.py(), slf.get());
+        let arrays = [&it.effort, &it.observed_energy, &it.alpha, &it.shortfall, &it.accepted];
+        let [effort, observed_energy, alpha, shortfall, accepted] =
+            arrays.map(|array| array.clone_ref(py));
+        stored::again(slf, (effort, observed_energy, alpha, shortfall, accepted))
+    }
+
+    #[staticmethod]
+    fn _restored(
+        effort: Py<PyAny>,
+        observed_energy: Py<PyAny>,
+        alpha: Py<PyAny>,
+        shortfall: Py<PyAny>,
+        accepted: Py<PyAny>,
+    ) -> Self {
+        Self { effort, observed_energy, alpha, shortfall, accepted }
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let shape = self.effort.bind(py).getattr("shape")?;
+        let accepted = self.accepted.bind(py);
+        let (count, all) = (accepted.call_method0("sum")?, accepted.getattr("size")?);
+        Ok(format!("<Corrections: efforts of shape {shape}, {count} of {all} accepted>"))
+    }
 }
 
 /// The same as rows of numbers.
@@ -28,15 +79,14 @@ pub(super) struct Written {
 
 impl Written {
     /// Room for `count` corrections of `axes` axes.
-    pub(super) fn room(count: usize, axes: usize) -> Self {
-        let zeros = || vec![0.0; count];
-        Self {
-            effort: vec![0.0; count * axes],
-            observed_energy: zeros(),
-            alpha: zeros(),
-            shortfall: zeros(),
-            accepted: vec![false; count],
-        }
+    pub(super) fn room(count: usize, axes: usize) -> Result<Self, Scarce> {
+        Ok(Self {
+            effort: filled(count * axes, 0.0)?,
+            observed_energy: filled(count, 0.0)?,
+            alpha: filled(count, 0.0)?,
+            shortfall: filled(count, 0.0)?,
+            accepted: filled(count, false)?,
+        })
     }
 
     /// Arrays, the effort's of `shape`.

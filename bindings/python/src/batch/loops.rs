@@ -6,15 +6,17 @@ use lyapunov_lab::F64x8;
 use nalgebra::SVector;
 use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
+use rayon::ThreadPool;
 use rayon::prelude::*;
 
 use super::arrays::Given;
-use super::corrections::{Corrections, Written};
+use super::corrections::{Corrections, Scarce, Written, scarce};
 use super::lanes::{LANES, Lanes, write_mask};
 use crate::axes::no_block_of;
 use crate::blocks::{Recipe, Stabilizer, seen, taken};
 use crate::errors::{self, of_class};
 use crate::lab::pool;
+use crate::number;
 use crate::whole;
 
 /// Groups of loops that a thread takes at once.
@@ -81,8 +83,8 @@ impl Batch {
     fn new(
         stabilizer: &Bound<'_, PyAny>,
         #[pyo3(from_py_with = whole::loops)] loops: usize,
-        period: f64,
-        no_faster_than: Option<f64>,
+        #[pyo3(from_py_with = number::period)] period: f64,
+        #[pyo3(from_py_with = number::no_faster_than_if_any)] no_faster_than: Option<f64>,
     ) -> PyResult<Self> {
         let stabilizer = seen(of_class::<Stabilizer>(stabilizer, "stabilizer")?)?;
         let recipe = &stabilizer.recipe;
@@ -172,10 +174,11 @@ fn stabilized<V: Lanes>(
     let given = [position.numbers()?, applied.numbers()?, effort.numbers()?];
     let pool = pool()?;
     let written = py.detach(|| {
-        let mut written = Written::room(ticks * loops, V::COUNT);
-        pool.install(|| spread(groups, loops, given, &mut written));
-        written
+        let mut written = Written::room(ticks * loops, V::COUNT)?;
+        spread(&pool, groups, loops, given, &mut written)?;
+        Ok(written)
     });
+    let written: Written = written.map_err(|_: Scarce| scarce(ticks, loops))?;
     written.shown(py, &shape, V::COUNT)
 }
 
@@ -190,44 +193,58 @@ struct Share<'a> {
 }
 
 /// The rows of each share of `width` numbers, of rows that are `whole` long.
-fn shares<T>(numbers: &mut [T], whole: usize, width: usize) -> Vec<Vec<&mut [T]>> {
+fn shares<T>(numbers: &mut [T], whole: usize, width: usize) -> Result<Vec<Vec<&mut [T]>>, Scarce> {
     let mut shares: Vec<Vec<&mut [T]>> = Vec::new();
+    shares.try_reserve_exact(whole.div_ceil(width))?;
     shares.resize_with(whole.div_ceil(width), Vec::new);
+    for share in &mut shares {
+        share.try_reserve_exact(numbers.len() / whole)?;
+    }
     for row in numbers.chunks_mut(whole) {
         for (share, part) in shares.iter_mut().zip(row.chunks_mut(width)) {
             share.push(part);
         }
     }
-    shares
+    Ok(shares)
 }
 
 /// Ticks all loops, shares of them on each thread.
 fn spread<V: Lanes>(
+    pool: &ThreadPool,
     groups: &mut [Group<V>],
     loops: usize,
     given: [&[f64]; 3],
     written: &mut Written,
-) {
+) -> Result<(), Scarce> {
     let width = SHARE * LANES;
-    let effort = shares(&mut written.effort, loops * V::COUNT, width * V::COUNT);
+    let effort = shares(&mut written.effort, loops * V::COUNT, width * V::COUNT)?;
     let rest = [&mut written.observed_energy, &mut written.alpha, &mut written.shortfall];
     let [observed_energy, alpha, shortfall] = rest.map(|numbers| shares(numbers, loops, width));
-    let accepted = shares(&mut written.accepted, loops, width);
+    let (observed_energy, alpha, shortfall) = (observed_energy?, alpha?, shortfall?);
+    let accepted = shares(&mut written.accepted, loops, width)?;
     let parts = effort.into_iter().zip(observed_energy).zip(alpha).zip(shortfall).zip(accepted);
-    let parts: Vec<Share<'_>> = parts
-        .enumerate()
-        .map(|(at, ((((effort, observed_energy), alpha), shortfall), accepted))| Share {
+    let parts = parts.enumerate().map(
+        |(at, ((((effort, observed_energy), alpha), shortfall), accepted))| Share {
             first: at * width,
             effort,
             observed_energy,
             alpha,
             shortfall,
             accepted,
-        })
-        .collect();
-    groups.par_chunks_mut(SHARE).zip(parts).for_each(|(groups, mut share)| {
+        },
+    );
+    let mut shares: Vec<Share<'_>> = Vec::new();
+    shares.try_reserve_exact(groups.len().div_ceil(SHARE))?;
+    shares.extend(parts);
+    let tick = |(groups, mut share): (&mut [Group<V>], Share<'_>)| {
         pulp::Arch::new().dispatch(Ticks { groups, share: &mut share, loops, given });
-    });
+    };
+    match shares.len() {
+        // The pool may be busy with hours of another thread's work, which a single share need not wait for.
+        1 => groups.chunks_mut(SHARE).zip(shares).for_each(tick),
+        _ => pool.install(|| groups.par_chunks_mut(SHARE).zip(shares).for_each(tick)),
+    }
+    Ok(())
 }
 
 /// The ticks of a share, on the instructions that the processor has.

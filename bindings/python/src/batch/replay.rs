@@ -4,7 +4,7 @@ use lyapunov::Correction;
 use pyo3::prelude::*;
 
 use super::arrays::Given;
-use super::corrections::{Corrections, Written};
+use super::corrections::{Corrections, Written, scarce};
 use crate::axes::Axes;
 use crate::blocks::{Readings, Stabilizer, taken};
 use crate::errors::of_class;
@@ -64,7 +64,7 @@ fn replayed<V: Axes>(
     let memory = V::readings(readings)?;
     let written = py.detach(|| {
         stabilizer.with_member::<V, _>(|stabilize| {
-            let mut written = Written::room(shape[0], V::COUNT);
+            let mut written = Written::room(shape[0], V::COUNT).map_err(|_| scarce(shape[0], 1))?;
             for tick in 0..shape[0] {
                 let at = |numbers: &[f64]| V::from_axes(|axis| numbers[tick * V::COUNT + axis]);
                 let [position, applied, effort] = numbers.map(at);

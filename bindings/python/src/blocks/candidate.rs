@@ -1,5 +1,7 @@
 //! Candidate of an observer: the port's energy, with a damper credited, or one written in Python.
 
+use std::sync::Arc;
+
 use lyapunov::{
     CheckedSample, Dissipation, LyapunovCandidate, ParameterError, PortEnergy, PortSample, Snapshot,
 };
@@ -7,10 +9,11 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
-use super::sample::accepted;
+use super::sample::checked;
 use super::{Raised, Sample};
 use crate::axes::Axes;
 use crate::errors::kind;
+use crate::number;
 
 /// Candidate of an observer.
 #[derive(Debug)]
@@ -18,7 +21,7 @@ pub(crate) enum Candidate {
     /// The port's energy, with the credit of a damper.
     Damped((PortEnergy, Dissipation<f64>)),
     /// An object with a method `decrease(sample)`.
-    Python { object: Py<PyAny>, raised: Raised },
+    Python { object: Arc<Py<PyAny>>, raised: Raised },
 }
 
 impl<V: Axes> LyapunovCandidate<V> for Candidate {
@@ -26,7 +29,7 @@ impl<V: Axes> LyapunovCandidate<V> for Candidate {
     fn decrease(&mut self, sample: &PortSample<V>) -> f64 {
         match self {
             Self::Damped(candidate) => candidate.decrease(sample),
-            Self::Python { object, raised } => decrease(object, raised, accepted(*sample)),
+            Self::Python { object, raised } => decrease(object, raised, checked(*sample)),
         }
     }
 }
@@ -52,17 +55,19 @@ impl Candidate {
 
 /// What the object says; NaN, which a stabilizer rejects, if it raises.
 fn decrease<V: Axes>(object: &Py<PyAny>, raised: &Raised, sample: CheckedSample<V>) -> f64 {
-    Python::attach(|py| {
+    let told = Python::try_attach(|py| {
         let told = object.call_method1(py, "decrease", (Sample(V::sample(sample)),));
         let number = told.and_then(|told| {
             let told = told.bind(py);
-            told.extract::<f64>().map_err(|_| no_number(object.bind(py), told))
+            number::real(told)?.ok_or_else(|| no_number(object.bind(py), told))
         });
         number.unwrap_or_else(|error| {
             raised.keep(error);
             f64::NAN
         })
-    })
+    });
+    // An interpreter that ends cannot be asked.
+    told.unwrap_or(f64::NAN)
 }
 
 /// The error of what `object` returned, which is no number.

@@ -6,6 +6,7 @@ use pyo3::types::PyBytes;
 
 use super::sample::shown;
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::number;
 use crate::stored;
 use crate::whole;
 
@@ -29,10 +30,10 @@ impl Correction {
     #[pyo3(signature = (effort, *, observed_energy=0.0, alpha=0.0, shortfall=0.0, accepted=true, axes=1))]
     fn new(
         effort: &Bound<'_, PyAny>,
-        observed_energy: f64,
-        alpha: f64,
-        shortfall: f64,
-        accepted: bool,
+        #[pyo3(from_py_with = number::observed_energy)] observed_energy: f64,
+        #[pyo3(from_py_with = number::alpha)] alpha: f64,
+        #[pyo3(from_py_with = number::shortfall)] shortfall: f64,
+        #[pyo3(from_py_with = number::accepted)] accepted: bool,
         #[pyo3(from_py_with = whole::axes)] axes: usize,
     ) -> PyResult<Self> {
         with_axes!(axes, AnyCorrection, V => Corrected {

@@ -4,6 +4,7 @@ use lyapunov::DampingLimit;
 use pyo3::prelude::*;
 
 use crate::errors;
+use crate::number;
 use crate::whole;
 
 /// The largest damping that a stabilizer may inject, N·s/m: `cap · mass / period`, less where the force acts late.
@@ -13,9 +14,9 @@ use crate::whole;
 #[pyfunction]
 #[pyo3(signature = (mass, period, *, cap=0.5, delay=0))]
 pub(crate) fn damping_limit(
-    mass: f64,
-    period: f64,
-    cap: f64,
+    #[pyo3(from_py_with = number::mass)] mass: f64,
+    #[pyo3(from_py_with = number::period)] period: f64,
+    #[pyo3(from_py_with = number::cap)] cap: f64,
     #[pyo3(from_py_with = whole::delay)] delay: u32,
 ) -> PyResult<f64> {
     let limit = DampingLimit::of_mass(cap, mass, period).map_err(errors::parameter)?;

@@ -17,7 +17,7 @@ pub(crate) use correction::{AnyCorrection, Correction};
 pub(crate) use in_use::{seen, taken};
 pub(crate) use limit::damping_limit;
 pub(crate) use observer::Observer;
-pub(crate) use python_stabilizer::PythonStabilizer;
+pub(crate) use python_stabilizer::{Asker, PythonStabilizer};
 pub(crate) use readings::{AnyReadings, Kinds, Readings};
 pub(crate) use recipe::Recipe;
 pub(crate) use sample::{AnySample, Sample};

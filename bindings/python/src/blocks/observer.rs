@@ -1,6 +1,9 @@
 //! Observer of a candidate.
 
+use std::sync::Arc;
+
 use lyapunov::{Observer as Observing, Snapshot};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -8,6 +11,7 @@ use super::deep_copy::{Asking, deep_copy};
 use super::{AnySample, Candidate, Raised, Recipe, Sample, seen, taken};
 use crate::axes::{Axes, whatever_axes};
 use crate::errors::{self, of_class};
+use crate::number;
 use crate::stored;
 
 type Inner = Observing<Candidate, lyapunov::Held, lyapunov::accumulators::Plain<f64>>;
@@ -25,7 +29,7 @@ pub(crate) struct Observer {
     raised: Raised,
     /// The damping and the object that it was made with.
     damping: Option<f64>,
-    object: Option<Py<PyAny>>,
+    object: Option<Arc<Py<PyAny>>>,
 }
 
 #[pymethods]
@@ -33,12 +37,11 @@ impl Observer {
     #[new]
     #[pyo3(signature = (*, damping=None, candidate=None))]
     fn new(
-        py: Python<'_>,
-        damping: Option<f64>,
+        #[pyo3(from_py_with = number::damping_if_any)] damping: Option<f64>,
         candidate: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
         let candidate = candidate.map(Candidate::checked).transpose()?;
-        Self::of(py, damping, candidate)
+        Self::of(damping, candidate)
     }
 
     /// Books the candidate's decrease over the sample; returns the observed energy, J.
@@ -79,13 +82,22 @@ impl Observer {
 
     #[staticmethod]
     fn _restored(
-        py: Python<'_>,
         damping: Option<f64>,
         candidate: Option<Py<PyAny>>,
         energy: f64,
         memory: &[u8],
     ) -> PyResult<Self> {
-        Self::of(py, damping, candidate)?.remembering(energy, memory)
+        Self::of(damping, candidate)?.remembering(energy, memory)
+    }
+
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        visit.call(self.object.as_deref())
+    }
+
+    fn __clear__(&mut self) {
+        // A candidate that holds the observer is let go by both who hold it here.
+        let none = Self::of(None, None).expect("an observer without a candidate");
+        *self = Self { energy: self.energy, ..none };
     }
 
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
@@ -96,26 +108,24 @@ impl Observer {
 impl Asking for Observer {
     fn copied(&self, py: Python<'_>) -> PyResult<Self> {
         let object = self.object.as_ref().map(|object| object.clone_ref(py));
-        Self::of(py, self.damping, object)?.remembering(self.energy, &self.memory()?)
+        Self::of(self.damping, object)?.remembering(self.energy, &self.memory()?)
     }
 
     fn asked(&self) -> Option<&Py<PyAny>> {
-        self.object.as_ref()
+        self.object.as_deref()
     }
 
     fn ask(&mut self, candidate: Py<PyAny>) -> PyResult<()> {
         let memory = self.memory()?;
-        let made = Python::attach(|py| Self::of(py, self.damping, Some(candidate)))?;
-        *self = made.remembering(self.energy, &memory)?;
+        *self = Self::of(self.damping, Some(candidate))?.remembering(self.energy, &memory)?;
         Ok(())
     }
 }
 
 impl Observer {
-    fn of(py: Python<'_>, damping: Option<f64>, object: Option<Py<PyAny>>) -> PyResult<Self> {
-        let raised = Raised::default();
-        let asked = object.as_ref().map(|object| object.clone_ref(py));
-        let candidate = Recipe::candidate(damping, asked, &raised)?;
+    fn of(damping: Option<f64>, object: Option<Py<PyAny>>) -> PyResult<Self> {
+        let (raised, object) = (Raised::default(), object.map(Arc::new));
+        let candidate = Recipe::candidate(damping, object.clone(), &raised)?;
         Ok(Self { observer: Observing::of(candidate), energy: 0.0, raised, damping, object })
     }
 

@@ -1,34 +1,54 @@
 //! Stabilizer written in Python.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use lyapunov::{Correction as Corrected, PortSample, Stabilizer};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
 
-use super::sample::accepted;
+use super::sample::checked;
 use super::{Correction, Raised, Sample, Stabilizer as Block, seen};
 use crate::axes::Axes;
 
 /// An object with a method `stabilize(sample, effort)` that returns a `Correction`.
 #[derive(Debug)]
 pub(crate) struct PythonStabilizer {
-    object: Py<PyAny>,
-    raised: Raised,
+    object: Option<Py<PyAny>>,
+    run: Asker,
+}
+
+/// The work that asks stabilizers written in Python.
+#[derive(Clone, Debug)]
+pub(crate) struct Asker {
+    /// What they raised.
+    pub(crate) raised: Raised,
+    /// Whether the work was interrupted.
+    pub(crate) stopped: Arc<AtomicBool>,
+}
+
+impl Asker {
+    /// Whether nothing is asked any more: work looks at an interrupt only now and then, and would go on to call what the
+    /// program believes to be over.
+    pub(crate) fn is_over(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed) || self.raised.is_kept()
+    }
 }
 
 impl PythonStabilizer {
-    /// The stabilizer of `object`, of a block a fresh one; what it raises is kept in `raised`.
-    pub(crate) fn of(object: &Bound<'_, PyAny>, raised: Raised) -> PyResult<Self> {
+    /// The stabilizer of `object`, of a block a fresh one, that `run` asks.
+    pub(crate) fn of(object: &Bound<'_, PyAny>, run: Asker) -> PyResult<Self> {
         let object = match object.cast::<Block>() {
             Ok(block) => Bound::new(object.py(), seen(block)?.fresh(object.py())?)?.into_any(),
             Err(_) => object.clone(),
         };
-        Ok(Self { object: object.unbind(), raised })
+        Ok(Self { object: Some(object.unbind()), run })
     }
 
-    /// One that is asked for nothing, as `raised` holds an error.
-    pub(crate) fn none(py: Python<'_>, raised: Raised) -> Self {
-        Self { object: py.None(), raised }
+    /// One that rejects every sample, as `run` is over.
+    pub(crate) fn none(run: Asker) -> Self {
+        Self { object: None, run }
     }
 
     /// Checks that `object`, called `name` there, has the method.
@@ -48,25 +68,28 @@ impl PythonStabilizer {
         )))
     }
 
-    fn asked<V: Axes>(&self, sample: &PortSample<V>, effort: V) -> PyResult<Corrected<V>> {
-        Python::attach(|py| {
-            let sample = Sample(V::sample(accepted(*sample)));
-            let told = self.object.call_method1(py, "stabilize", (sample, effort.show(py)))?;
-            let told = told.bind(py);
-            let Ok(correction) = told.cast::<Correction>() else {
-                return Err(PyTypeError::new_err(format!(
-                    "stabilize(sample, effort) returned {}; return a Correction",
-                    told.get_type().name()?
-                )));
-            };
-            let made = V::of_correction(&correction.get().0).copied()?;
-            let is_number = (0..V::COUNT).all(|axis| !made.effort.along(axis).is_nan());
-            is_number.then_some(made).ok_or_else(|| {
-                PyValueError::new_err(format!(
-                    "stabilize(sample, effort) returned {}, whose effort is not a number",
-                    correction.get().told()
-                ))
-            })
+    fn asked<V: Axes>(
+        py: Python<'_>,
+        object: &Py<PyAny>,
+        sample: &PortSample<V>,
+        effort: V,
+    ) -> PyResult<Corrected<V>> {
+        let sample = Sample(V::sample(checked(*sample)));
+        let told = object.call_method1(py, "stabilize", (sample, effort.show(py)))?;
+        let told = told.bind(py);
+        let Ok(correction) = told.cast::<Correction>() else {
+            return Err(PyTypeError::new_err(format!(
+                "stabilize(sample, effort) returned {}; return a Correction",
+                told.get_type().name()?
+            )));
+        };
+        let made = V::of_correction(&correction.get().0).copied()?;
+        let is_number = (0..V::COUNT).all(|axis| !made.effort.along(axis).is_nan());
+        is_number.then_some(made).ok_or_else(|| {
+            PyValueError::new_err(format!(
+                "stabilize(sample, effort) returned {}, whose effort is not a number",
+                correction.get().told()
+            ))
         })
     }
 }
@@ -76,12 +99,17 @@ impl<V: Axes> Stabilizer<V> for PythonStabilizer {
         // Not a number ends the run.
         let rejected =
             Corrected { observed_energy: f64::NAN, accepted: false, ..Corrected::none(effort) };
-        if self.raised.is_kept() {
+        let Some(object) = self.object.as_ref().filter(|_| !self.run.is_over()) else {
             return rejected;
+        };
+        // An interpreter that ends cannot be asked.
+        match Python::try_attach(|py| Self::asked(py, object, sample, effort)) {
+            Some(Ok(made)) => made,
+            Some(Err(error)) => {
+                self.run.raised.keep(error);
+                rejected
+            }
+            None => rejected,
         }
-        self.asked(sample, effort).unwrap_or_else(|error| {
-            self.raised.keep(error);
-            rejected
-        })
     }
 }

@@ -8,6 +8,7 @@ use pyo3::types::PyBytes;
 use super::{Sample, seen, taken};
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
 use crate::errors;
+use crate::number;
 use crate::stored;
 use crate::whole;
 
@@ -97,12 +98,12 @@ impl Readings {
     #[new]
     #[pyo3(signature = (period, *, axes=1, no_faster_than=None, cutoff=None, measured=false, clocked=false))]
     fn new(
-        period: f64,
+        #[pyo3(from_py_with = number::period)] period: f64,
         #[pyo3(from_py_with = whole::axes)] axes: usize,
-        no_faster_than: Option<f64>,
-        cutoff: Option<f64>,
-        measured: bool,
-        clocked: bool,
+        #[pyo3(from_py_with = number::no_faster_than_if_any)] no_faster_than: Option<f64>,
+        #[pyo3(from_py_with = number::cutoff_if_any)] cutoff: Option<f64>,
+        #[pyo3(from_py_with = number::measured)] measured: bool,
+        #[pyo3(from_py_with = number::clocked)] clocked: bool,
     ) -> PyResult<Self> {
         let made = Made { period, fastest: no_faster_than, cutoff, measured, clocked };
         let readings = with_axes!(axes, AnyReadings, V => made.kinds::<V>()?)?;
@@ -120,7 +121,7 @@ impl Readings {
         position: &Bound<'_, PyAny>,
         applied: &Bound<'_, PyAny>,
         velocity: Option<&Bound<'_, PyAny>>,
-        now: Option<f64>,
+        #[pyo3(from_py_with = number::now_if_any)] now: Option<f64>,
     ) -> PyResult<Sample> {
         let this = &mut *taken(slf)?;
         whatever_axes!(&mut this.readings, AnyReadings, it => sample(it, position, applied, velocity, now))

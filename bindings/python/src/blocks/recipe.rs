@@ -1,5 +1,7 @@
 //! Recipe of a stabilizer: its name, its numbers and its candidate, from which it is made, and made again.
 
+use std::sync::Arc;
+
 use lyapunov::stabilizers::{
     EnergyBounding, ForceBound, ForceBounding, LeastNorm, Member, NoStabilizer, SlopeBound,
     StabilizerExt, Tank, TankLimits, WindowedCredit,
@@ -9,7 +11,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use super::{Candidate, Raised};
-use crate::errors::{self, kind};
+use crate::errors;
+use crate::number;
 
 /// A number that a stabilizer is made of: its name, its unit, and what it is where it is left out.
 struct Number(&'static str, &'static str, Option<f64>);
@@ -62,8 +65,9 @@ pub(crate) struct Recipe {
     pub(crate) numbers: Vec<f64>,
     /// The damping that a candidate credits.
     pub(crate) damping: Option<f64>,
-    /// A candidate written in Python.
-    pub(crate) object: Option<Py<PyAny>>,
+    /// A candidate written in Python, the same reference that what is made of the recipe holds: whoever collects garbage
+    /// counts it once.
+    pub(crate) object: Option<Arc<Py<PyAny>>>,
 }
 
 impl Recipe {
@@ -95,7 +99,7 @@ impl Recipe {
         if *name == "lolc" {
             known.extend(["damping", "candidate"]);
             damping = taken("damping")?.map(|value| number(&value, "damping")).transpose()?;
-            object = taken("candidate")?.map(Candidate::checked).transpose()?;
+            object = taken("candidate")?.map(Candidate::checked).transpose()?.map(Arc::new);
         }
         let given = given.into_iter().flat_map(|given| given.keys());
         let given: Vec<String> = given.map(|key| key.extract()).collect::<PyResult<_>>()?;
@@ -121,7 +125,7 @@ impl Recipe {
     /// The candidate that credits `damping`, or that `object` tells.
     pub(crate) fn candidate(
         damping: Option<f64>,
-        object: Option<Py<PyAny>>,
+        object: Option<Arc<Py<PyAny>>>,
         raised: &Raised,
     ) -> PyResult<Candidate> {
         match (damping, object) {
@@ -137,7 +141,7 @@ impl Recipe {
 
     /// A copy.
     pub(crate) fn again(&self, py: Python<'_>) -> Self {
-        let object = self.object.as_ref().map(|object| object.clone_ref(py));
+        let object = self.object.as_ref().map(|object| Arc::new(object.clone_ref(py)));
         Self { name: self.name, numbers: self.numbers.clone(), damping: self.damping, object }
     }
 
@@ -152,7 +156,7 @@ impl Recipe {
             arguments.set_item("damping", damping)?;
         }
         if let Some(object) = &self.object {
-            arguments.set_item("candidate", object)?;
+            arguments.set_item("candidate", &**object)?;
         }
         Ok(arguments)
     }
@@ -221,9 +225,7 @@ fn complete(name: &str, missing: &[(&str, &str)]) -> PyResult<()> {
 
 /// A number; whole and above 0 where it counts ticks.
 fn number(value: &Bound<'_, PyAny>, key: &str) -> PyResult<f64> {
-    let number: f64 = value.extract().map_err(|_| {
-        errors::input(format!("{key} is {}, which is no number\n  = give a float", kind(value)))
-    })?;
+    let number = number::number(value, key)?;
     let is_count = number.fract() == 0.0 && (1.0..=f64::from(u32::MAX)).contains(&number);
     match key == "ticks" && !is_count {
         true => Err(errors::input(format!(

@@ -5,6 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::axes::{Axes, on_any_axes, whatever_axes, with_axes};
+use crate::number;
 use crate::stored;
 use crate::whole;
 
@@ -33,12 +34,16 @@ fn by_hand<V: Axes>(period: f64, signals: [&Bound<'_, PyAny>; 4]) -> PyResult<Ch
         displacement: V::read(displacement, "displacement")?,
         applied: V::read(applied, "applied")?,
     };
-    Ok(accepted(tick.sample()))
+    Ok(checked(tick.sample()))
 }
 
-/// The sample as an accepted one.
-pub(crate) fn accepted<V: Axes>(sample: PortSample<V>) -> CheckedSample<V> {
-    CheckedSample { sample, accepted: true, jumped: false, late: false, timed: true }
+/// The sample as a port hands it on, without the flags of its reading: that it was accepted is seen in its numbers, and
+/// whether it jumped or came late is not told.
+pub(super) fn checked<V: Axes>(sample: PortSample<V>) -> CheckedSample<V> {
+    let of_axes = [sample.velocity, sample.work];
+    let accepted = sample.period.is_finite()
+        && (0..V::COUNT).all(|axis| of_axes.iter().all(|it| it.along(axis).is_finite()));
+    CheckedSample { sample, accepted, jumped: false, late: false, timed: true }
 }
 
 #[pymethods]
@@ -46,7 +51,7 @@ impl Sample {
     #[new]
     #[pyo3(signature = (period, position, velocity, displacement, applied, *, axes=1))]
     fn new(
-        period: f64,
+        #[pyo3(from_py_with = number::period)] period: f64,
         position: &Bound<'_, PyAny>,
         velocity: &Bound<'_, PyAny>,
         displacement: &Bound<'_, PyAny>,
@@ -106,13 +111,15 @@ impl Sample {
         whatever_axes!(&self.0, AnySample, it => it.accepted)
     }
 
-    /// Whether the reading lies farther away than the fastest motion leads.
+    /// Whether the reading lies farther away than the fastest motion leads; False where a candidate or a stabilizer in
+    /// Python is asked, which is told whether the reading was accepted, and not why.
     #[getter]
     fn jumped(&self) -> bool {
         whatever_axes!(&self.0, AnySample, it => it.jumped)
     }
 
-    /// Whether more than one and a half periods went by since the last accepted reading.
+    /// Whether more than one and a half periods went by since the last accepted reading; False where a candidate or a
+    /// stabilizer in Python is asked, which sees the period.
     #[getter]
     fn late(&self) -> bool {
         whatever_axes!(&self.0, AnySample, it => it.late)

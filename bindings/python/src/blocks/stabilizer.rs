@@ -1,7 +1,10 @@
 //! Stabilizer of one loop.
 
-use lyapunov::stabilizers::{Member, MemberState};
+use std::sync::Arc;
+
+use lyapunov::stabilizers::{Member, MemberState, NoStabilizer};
 use lyapunov::{Signal, Snapshot, Stabilizer as _};
+use pyo3::gc::{PyTraverseError, PyVisit};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
@@ -91,9 +94,8 @@ impl Stabilizer {
 
 /// The stabilizer of a recipe.
 fn made<V: Signal<Scalar = f64>>(recipe: &Recipe, raised: &Raised) -> PyResult<Made<V>> {
-    let object = Python::attach(|py| recipe.object.as_ref().map(|object| object.clone_ref(py)));
     // It is made first, as it may be one of Python's.
-    let candidate = Recipe::candidate(recipe.damping, object, raised)?;
+    let candidate = Recipe::candidate(recipe.damping, recipe.object.clone(), raised)?;
     recipe.make(|| Ok(candidate)).map_err(errors::parameter)
 }
 
@@ -180,6 +182,17 @@ impl Stabilizer {
         Ok(made)
     }
 
+    fn __traverse__(&self, visit: PyVisit<'_>) -> Result<(), PyTraverseError> {
+        visit.call(self.recipe.object.as_deref())
+    }
+
+    fn __clear__(&mut self) {
+        // A candidate that holds the block is let go by both who hold it here.
+        let none = with_axes!(self.count(), AnyMember, V => Made::<V>::NoStabilizer(NoStabilizer));
+        self.member = none.expect("axes that the block has");
+        self.recipe = Recipe { name: "none", numbers: Vec::new(), damping: None, object: None };
+    }
+
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
         let this = seen(slf)?;
         let mut text = format!("Stabilizer({:?}", this.recipe.name);
@@ -198,11 +211,11 @@ impl Asking for Stabilizer {
     }
 
     fn asked(&self) -> Option<&Py<PyAny>> {
-        self.recipe.object.as_ref()
+        self.recipe.object.as_deref()
     }
 
     fn ask(&mut self, candidate: Py<PyAny>) -> PyResult<()> {
-        self.recipe.object = Some(candidate);
+        self.recipe.object = Some(Arc::new(candidate));
         self.remember(&self.memory()?)
     }
 }

@@ -7,6 +7,7 @@ use super::columns::{Columns, Kinds};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
+use crate::number;
 
 /// The columns that do not hold numbers.
 const KINDS: Kinds<'_> = Kinds {
@@ -25,7 +26,7 @@ const PARTS: u64 = 1000;
 pub(crate) fn accuracy(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
-    target: Option<f64>,
+    #[pyo3(from_py_with = number::target_if_any)] target: Option<f64>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();

@@ -12,10 +12,10 @@ use pyo3::types::PyMapping;
 
 use super::columns::{Columns, Kinds};
 use super::run::in_f64;
-use super::work::{Fault, Watched, wait};
+use super::work::{Fault, Watched, wait_asking};
 use super::{Scene, Told};
 use crate::axes::Axes;
-use crate::blocks::{PythonStabilizer, Raised};
+use crate::blocks::{Asker, PythonStabilizer, Raised};
 use crate::errors;
 
 /// An entrant written in Python: its name, and what makes it for a scene.
@@ -44,7 +44,7 @@ pub(crate) fn compare(
     let entrants = own.map_or_else(|| Ok(Vec::new()), |own| makers(own, &names))?;
     let each = |scene: &Scene| (scene.scene.ticks() + 1) * (names.len() + entrants.len()) as u64;
     let total = scenes.iter().map(each).sum();
-    wait(py, progress, total, move |watched| {
+    wait_asking(py, progress, total, move |watched| {
         let mut comparisons = Vec::new();
         for scene in &scenes {
             let mut one = compared(scene, &names, &entrants, watched)?;
@@ -74,7 +74,14 @@ fn makers(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own
     };
     let mut entrants: Vec<Own> = Vec::new();
     for item in mapping.items()? {
-        let (name, make): (String, Bound<'_, PyAny>) = item.extract()?;
+        let (name, make): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
+        let Ok(name) = name.extract::<String>() else {
+            return Err(PyTypeError::new_err(format!(
+                "a name in own is {}, of the type {}; give your own a name, a str",
+                name.repr()?,
+                name.get_type().name()?
+            )));
+        };
         if name.trim().is_empty() {
             return Err(errors::input("a name in own is empty\n  = give your own a name"));
         }
@@ -117,11 +124,11 @@ fn compared(
         return in_space!(scene, V => meet(name, scene, Entrants::<V>::of(names.on(scene)), watched));
     }
     in_f64(scene)?;
-    let raised = Raised::default();
+    let run = Asker { raised: Raised::default(), stopped: watched.stop() };
     let met = in_space_of!(f64, scene, V => {
-        meet(name, scene, entered::<V>(names, scene, own, &raised), watched)
+        meet(name, scene, entered::<V>(names, scene, own, &run), watched)
     });
-    raised.check()?;
+    run.raised.check()?;
     met
 }
 
@@ -129,26 +136,32 @@ fn entered<V: Space + Axes>(
     names: &StabilizerNames,
     scene: &lab::Scene,
     own: &[Own],
-    raised: &Raised,
+    run: &Asker,
 ) -> Entrants<V> {
     own.iter().fold(Entrants::of(names.on(scene)), |entrants, (name, make)| {
-        let (make, raised) = (Arc::clone(make), raised.clone());
-        entrants.with(name.clone(), move |_| Ok::<_, ParameterError>(fresh(&make, &raised)))
+        let (make, run) = (Arc::clone(make), run.clone());
+        entrants.with(name.clone(), move |_| Ok::<_, ParameterError>(fresh(&make, &run)))
     })
 }
 
 /// A stabilizer of its own for a run.
-fn fresh(make: &Py<PyAny>, raised: &Raised) -> PythonStabilizer {
-    Python::attach(|py| {
-        let made = make.bind(py).call0().and_then(|made| {
-            PythonStabilizer::check(&made, "what own made")?;
-            PythonStabilizer::of(&made, raised.clone())
-        });
-        made.unwrap_or_else(|error| {
-            raised.keep(error);
-            PythonStabilizer::none(py, raised.clone())
-        })
-    })
+fn fresh(make: &Py<PyAny>, run: &Asker) -> PythonStabilizer {
+    if run.is_over() {
+        return PythonStabilizer::none(run.clone());
+    }
+    let made = Python::try_attach(|py| {
+        let made = make.bind(py).call0()?;
+        PythonStabilizer::check(&made, "what own made")?;
+        PythonStabilizer::of(&made, run.clone())
+    });
+    match made {
+        Some(Ok(made)) => made,
+        Some(Err(error)) => {
+            run.raised.keep(error);
+            PythonStabilizer::none(run.clone())
+        }
+        None => PythonStabilizer::none(run.clone()),
+    }
 }
 
 fn meet<V: Space>(

@@ -9,6 +9,7 @@ use super::columns::{Column, Columns};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
+use crate::number;
 use crate::whole;
 
 /// The most members of a call.
@@ -26,10 +27,10 @@ pub(crate) fn ensemble(
     #[pyo3(from_py_with = whole::members)] count: u64,
     #[pyo3(from_py_with = whole::seed)] seed: u64,
     stabilizer: Option<&str>,
-    phase: Option<f64>,
-    mass: Option<f64>,
-    damping: Option<f64>,
-    stiffness: Option<f64>,
+    #[pyo3(from_py_with = number::phase_if_any)] phase: Option<f64>,
+    #[pyo3(from_py_with = number::mass_if_any)] mass: Option<f64>,
+    #[pyo3(from_py_with = number::damping_if_any)] damping: Option<f64>,
+    #[pyo3(from_py_with = number::stiffness_if_any)] stiffness: Option<f64>,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();

@@ -14,6 +14,7 @@ use super::columns::{Columns, Kinds};
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
+use crate::number;
 
 /// The columns of stabilizers on the recorded motion that do not hold numbers.
 const REPLAYED: Kinds<'_> = Kinds {
@@ -71,9 +72,9 @@ pub(crate) fn observe(
     columns: Option<&str>,
     scale: Vec<String>,
     candidate: &str,
-    damping: Option<f64>,
-    surface: Option<f64>,
-    contact: Option<f64>,
+    #[pyo3(from_py_with = number::damping_if_any)] damping: Option<f64>,
+    #[pyo3(from_py_with = number::surface_if_any)] surface: Option<f64>,
+    #[pyo3(from_py_with = number::contact_if_any)] contact: Option<f64>,
     stabilizers: Option<&str>,
     scene: Option<&Bound<'_, Scene>>,
     progress: Option<&Bound<'_, PyAny>>,

@@ -9,11 +9,12 @@ use lyapunov_lab::{Rollout, Space, Summary, in_space, in_space_of, row_numbers, 
 use pyo3::prelude::*;
 
 use super::rows::Rows;
-use super::work::{Fault, Watched, wait};
+use super::work::{Fault, Watched, wait_asking};
 use super::{Scene, Told};
 use crate::axes::Axes;
-use crate::blocks::{PythonStabilizer, Raised, Stabilizer};
+use crate::blocks::{Asker, PythonStabilizer, Raised, Stabilizer};
 use crate::errors;
+use crate::number;
 
 /// Ticks between two looks at whether to go on.
 const BREATH: u64 = 1 << 12;
@@ -24,7 +25,7 @@ enum By {
     Scene,
     Name(StabilizerName),
     /// An object with a method `stabilize(sample, effort)`.
-    Python(Py<PyAny>, Raised),
+    Python(Py<PyAny>),
 }
 
 /// One run: its summary, and the rows of docs/contract.md if they are asked for.
@@ -34,7 +35,7 @@ pub(crate) fn run(
     py: Python<'_>,
     scene: &Bound<'_, Scene>,
     stabilizer: Option<&Bound<'_, PyAny>>,
-    rows: bool,
+    #[pyo3(from_py_with = number::rows)] rows: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let Scene { scene, name } = scene.get().clone();
@@ -44,11 +45,11 @@ pub(crate) fn run(
             Ok(name) => By::Name(name.parse().map_err(errors::input)?),
             Err(_) => {
                 PythonStabilizer::check(given, "stabilizer")?;
-                By::Python(given.clone().unbind(), Raised::default())
+                By::Python(given.clone().unbind())
             }
         },
     };
-    wait(py, progress, scene.ticks(), move |watched| {
+    wait_asking(py, progress, scene.ticks(), move |watched| {
         let rows = Rows::of(&scene, rows)?;
         told(&scene, &name, &by, rows, watched)
     })
@@ -77,12 +78,13 @@ fn told(
                 drain(&told, name, rollout, rows, watched)
             })
         }
-        By::Python(object, raised) => {
+        By::Python(object) => {
             in_f64(scene)?;
+            let run = Asker { raised: Raised::default(), stopped: watched.stop() };
             let told = in_space_of!(f64, scene, V => {
-                drain(scene, name, foreign::<V>(scene, object, raised)?, rows, watched)
+                drain(scene, name, foreign::<V>(scene, object, &run)?, rows, watched)
             });
-            raised.check()?;
+            run.raised.check()?;
             told
         }
     }
@@ -102,13 +104,13 @@ pub(super) fn in_f64(scene: &lab::Scene) -> Result<(), Fault> {
 fn foreign<V: Space + Axes>(
     scene: &lab::Scene,
     object: &Py<PyAny>,
-    raised: &Raised,
+    run: &Asker,
 ) -> Result<Rollout<V>, Fault> {
-    let made = Python::attach(|py| -> PyResult<_> {
+    let made = Python::try_attach(|py| -> PyResult<_> {
         let object = object.bind(py);
-        Ok((who(object)?, PythonStabilizer::of(object, raised.clone())?))
+        Ok((who(object)?, PythonStabilizer::of(object, run.clone())?))
     });
-    let (name, made) = made?;
+    let (name, made) = made.ok_or(Fault::Stopped)??;
     Ok(Rollout::stabilized_by(scene, made).map_err(Fault::input)?.called(name))
 }
 

@@ -49,14 +49,19 @@ impl From<PyErr> for Fault {
 /// How far work is, and whether it has to end.
 #[derive(Debug)]
 pub(crate) struct Watched {
-    stopped: AtomicBool,
+    stopped: Arc<AtomicBool>,
     done: AtomicU64,
     total: u64,
 }
 
 impl Watched {
     fn of(total: u64) -> Self {
-        Self { stopped: AtomicBool::new(false), done: AtomicU64::new(0), total }
+        Self { stopped: Arc::default(), done: AtomicU64::new(0), total }
+    }
+
+    /// Whether it has to end, for those who outlive the work.
+    pub(crate) fn stop(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.stopped)
     }
 
     /// Adds to what is done, and says whether to go on.
@@ -89,12 +94,26 @@ pub(crate) fn wait<T: Send + 'static>(
     total: u64,
     work: impl FnOnce(&Watched) -> Result<T, Fault> + Send + 'static,
 ) -> PyResult<T> {
+    let pool = pool()?;
+    wait_asking(py, progress, total, move |watched| pool.install(|| work(watched)))
+}
+
+/// The same of work that may ask Python, which runs on a thread of its own.
+///
+/// What is asked there may call the lab, or wait for who calls it. It holds no thread of the pool meanwhile: where each held
+/// one, there would be none left for the work that they wait for.
+pub(crate) fn wait_asking<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    total: u64,
+    work: impl FnOnce(&Watched) -> Result<T, Fault> + Send + 'static,
+) -> PyResult<T> {
     let watched = Arc::new(Watched::of(total));
     let (sender, mut results) = channel();
-    let (shared, pool) = (Arc::clone(&watched), pool()?);
+    let shared = Arc::clone(&watched);
     thread::spawn(move || {
         // The receiver is gone where the waiting thread was interrupted.
-        let _ = sender.send(done_in(&pool, &shared, work));
+        let _ = sender.send(done(|| work(&shared)));
     });
     let told = |done: u64| progress.map_or(Ok(()), |it| it.call1((done, total)).map(drop));
     loop {
@@ -127,7 +146,7 @@ pub(crate) fn wait_here<T: Send>(
         let (watched, pool) = (&watched, &pool);
         thread::scope(|scope| {
             scope.spawn(move || {
-                let _ = sender.send(done_in(pool, watched, work));
+                let _ = sender.send(done(|| pool.install(|| work(watched))));
             });
             loop {
                 match results.recv_timeout(BREATH) {
@@ -144,13 +163,9 @@ pub(crate) fn wait_here<T: Send>(
     })
 }
 
-/// The result of `work` on the threads of `pool`.
-fn done_in<T: Send>(
-    pool: &ThreadPool,
-    watched: &Watched,
-    work: impl FnOnce(&Watched) -> Result<T, Fault> + Send,
-) -> Result<T, Fault> {
-    let result = catch_unwind(AssertUnwindSafe(|| pool.install(|| work(watched))));
+/// The result of `work`, a fault where it panics.
+fn done<T>(work: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
+    let result = catch_unwind(AssertUnwindSafe(work));
     result.unwrap_or_else(|_| Err(Fault::internal("a part of lyapunov panicked")))
 }
 

@@ -1,5 +1,7 @@
 //! Closed loops whose numbers are arrays, on the lanes of maps.
 
+use std::collections::TryReserveError;
+
 use lyapunov::Scalar;
 use lyapunov::bodies::Impedance;
 use lyapunov::environments::Wall;
@@ -75,6 +77,23 @@ pub struct Ends {
     pub largest: Vec<f64>,
 }
 
+impl Ends {
+    /// Room for the ends of `count` loops.
+    ///
+    /// # Errors
+    /// There is no memory for so many.
+    pub fn room(count: usize) -> Result<Self, TryReserveError> {
+        let zeros = || {
+            let mut zeros = Vec::new();
+            zeros.try_reserve_exact(count)?;
+            zeros.resize(count, 0.0);
+            Ok::<_, TryReserveError>(zeros)
+        };
+        let (position, velocity) = (zeros()?, zeros()?);
+        Ok(Self { position, velocity, observed_energy: zeros()?, largest: zeros()? })
+    }
+}
+
 impl Loops<'_> {
     /// The ends of all loops, on all threads of the present pool; none where `go_on`, which is asked now and then, stopped them.
     ///
@@ -85,39 +104,63 @@ impl Loops<'_> {
         recipe: &impl Recipe,
         go_on: &GoOn<'_>,
     ) -> Result<Option<Ends>, ParameterError> {
+        let zeros = || vec![0.0; self.count];
+        let room = Ends {
+            position: zeros(),
+            velocity: zeros(),
+            observed_energy: zeros(),
+            largest: zeros(),
+        };
+        self.ends_in(room, recipe, go_on)
+    }
+
+    /// The same in the [`room`](Ends::room) that the caller has for as many loops: nothing else is as large.
+    ///
+    /// # Errors
+    /// As for [`ends`](Self::ends).
+    pub fn ends_in(
+        &self,
+        mut room: Ends,
+        recipe: &impl Recipe,
+        go_on: &GoOn<'_>,
+    ) -> Result<Option<Ends>, ParameterError> {
         self.check_places()?;
-        match Instructions::best() {
-            Instructions::Base => self.under::<F64x8>(recipe, &|| (), go_on),
+        let ends = &mut room;
+        let is_whole = match Instructions::best() {
+            Instructions::Base => self.under::<F64x8>(recipe, &|| (), go_on, ends),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2(proof) => {
-                self.under::<F64s<V3, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on)
+                self.under::<F64s<V3, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on, ends)
             }
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512(proof) => {
-                self.under::<F64s<V4, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on)
+                self.under::<F64s<V4, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on, ends)
             }
-        }
+        };
+        Ok(is_whole?.then_some(room))
     }
 
-    /// The ends with the type of the stabilizer; threads `prove` first that they may make a `T`.
+    /// Writes the ends, with the type of the stabilizer; threads `prove` first that they may make a `T`. Whether it came to
+    /// the end.
     fn under<T: Batch + Send + Sync>(
         &self,
         recipe: &impl Recipe,
         prove: &(dyn Fn() + Sync),
         go_on: &GoOn<'_>,
-    ) -> Result<Option<Ends>, ParameterError> {
+        ends: &mut Ends,
+    ) -> Result<bool, ParameterError> {
         prove();
         match recipe.make::<T>()? {
             Member::NoStabilizer(_) => {
-                self.spread::<T, _>(NoStabilizer, prove, go_on, |ticks| T::run(ticks))
+                self.spread::<T, _>(NoStabilizer, prove, go_on, ends, |ticks| T::run(ticks))
             }
-            Member::Popc(popc) => self.spread::<T, _>(popc, prove, go_on, |ticks| T::run(ticks)),
-            Member::Lolc(lolc) => self.spread::<T, _>(lolc, prove, go_on, |ticks| T::run(ticks)),
+            Member::Popc(popc) => self.spread::<T, _>(popc, prove, go_on, ends, |ticks| T::run(ticks)),
+            Member::Lolc(lolc) => self.spread::<T, _>(lolc, prove, go_on, ends, |ticks| T::run(ticks)),
             // All others share one loop, which asks on every tick which it is: arrays spare one for each set of vectors.
             _ => {
                 let member = recipe.make::<F64x8>()?;
                 let run = |ticks: Ticks<'_, F64x8, _>| Instructions::best().run(ticks);
-                self.spread::<F64x8, _>(member, prove, go_on, run)
+                self.spread::<F64x8, _>(member, prove, go_on, ends, run)
             }
         }
     }
@@ -127,8 +170,9 @@ impl Loops<'_> {
         stabilizer: S,
         prove: &(dyn Fn() + Sync),
         go_on: &GoOn<'_>,
+        ends: &mut Ends,
         run: impl Fn(Ticks<'_, T, S>) + Sync,
-    ) -> Result<Option<Ends>, ParameterError> {
+    ) -> Result<bool, ParameterError> {
         let (width, are_moderate) = (T::BESIDE * T::LANES, self.are_moderate());
         let mut first = Bodies::none();
         self.group(0, &mut first, stabilizer, are_moderate)?;
@@ -137,28 +181,30 @@ impl Loops<'_> {
             prove();
             first.clone()
         };
-        let shares =
-            (0..self.count.div_ceil(width)).into_par_iter().map_init(start, |bodies, at| {
-                let starts = (at * width..self.count.min((at + 1) * width)).step_by(T::LANES);
-                let groups =
-                    starts.map(|first| self.group(first, bodies, stabilizer, are_moderate));
-                let mut groups = groups.collect::<Result<Vec<_>, _>>()?;
-                let is_whole = halves(&mut groups, self.ticks, go_on, &run);
-                let ends = || groups.iter().flat_map(Group::ends).collect();
-                Ok::<_, ParameterError>(is_whole.then(ends))
-            });
-        let shares: Option<Vec<Vec<[f64; 4]>>> = shares.collect::<Result<_, _>>()?;
-        let Some(shares) = shares else { return Ok(None) };
-        let mut ends = Ends::default();
-        for [position, velocity, observed_energy, largest] in
-            shares.concat().into_iter().take(self.count)
-        {
-            ends.position.push(position);
-            ends.velocity.push(velocity);
-            ends.observed_energy.push(observed_energy);
-            ends.largest.push(largest);
+        let parts = ends.position.par_chunks_mut(width).zip(ends.velocity.par_chunks_mut(width));
+        let rest = ends.observed_energy.par_chunks_mut(width);
+        let parts = parts.zip(rest.zip(ends.largest.par_chunks_mut(width))).enumerate();
+        let ended = parts.try_for_each_init(start, |bodies, (at, parts)| {
+            let ((position, velocity), (observed_energy, largest)) = parts;
+            let starts = (at * width..self.count.min((at + 1) * width)).step_by(T::LANES);
+            let groups = starts.map(|first| self.group(first, bodies, stabilizer, are_moderate));
+            let mut groups = groups.collect::<Result<Vec<_>, _>>().map_err(Some)?;
+            if !halves(&mut groups, self.ticks, go_on, &run) {
+                return Err(None);
+            }
+            let places = position.iter_mut().zip(velocity).zip(observed_energy).zip(largest);
+            for ((((position, velocity), observed_energy), largest), told) in
+                places.zip(groups.iter().flat_map(Group::ends))
+            {
+                [*position, *velocity, *observed_energy, *largest] = told;
+            }
+            Ok(())
+        });
+        match ended {
+            Ok(()) => Ok(true),
+            Err(None) => Ok(false),
+            Err(Some(error)) => Err(error),
         }
-        Ok(Some(ends))
     }
 
     fn group<T: Batch, S: Accounted<T>>(
