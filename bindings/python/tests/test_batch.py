@@ -224,8 +224,19 @@ def test_members_of_an_ensemble_are_scenes_by_their_numbers():
         ly.ensemble(scene, 20, mass=3.0)
 
 
+class OfOldNumPy(np.ndarray):
+    """An array that is a number where it holds one, as all were once."""
+
+    def __float__(self):
+        return 1.0
+
+
 def test_an_array_of_one_number_is_one_loop():
     """With every NumPy: it is no number for all loops, and no float."""
+    with pytest.raises(ly.InputError, match=r"^arrays of \[1, 3\] loops; give all the same length"):
+        ly.closed_loop(3, 1e-3, mass=np.ones(1).view(OfOldNumPy), wall_stiffness=np.ones(3))
+    with pytest.raises(TypeError, match=r"^period is an array of float64 of shape \[1\], which is no number"):
+        ly.Readings(np.ones(1).view(OfOldNumPy))
     ends = ly.closed_loop(3, 1e-3, mass=np.ones(1), wall_stiffness=1.0)
     assert ends["position"].shape == (1,)
     with pytest.raises(ly.InputError, match=r"^arrays of \[1, 3\] loops; give all the same length"):

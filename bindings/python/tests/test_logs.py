@@ -71,21 +71,20 @@ STEPS = np.arange(200)
 SECONDS = {"t": STEPS / 1000, "x": 1e-3 * np.sin(0.04 * STEPS), "f": np.maximum(0.0, 8.0 * np.sin(0.04 * STEPS + 0.3))}
 
 
+SINCE = r'give seconds: \(t - t\[0\]\) / numpy.timedelta64\(1, "s"\)'
+
+
 @pytest.mark.parametrize(
     "column, told, remedy",
     [
-        (STEPS.astype("m8[ms]"), r"times, of the type timedelta64\[ms\]", r'\(t\) / numpy.timedelta64\(1, "s"\)'),
-        (
-            np.datetime64("2026-01-01", "ns") + STEPS.astype("m8[ms]"),
-            r"times, of the type datetime64\[ns\]",
-            r'\(t - t\[0\]\) / numpy.timedelta64\(1, "s"\)',
-        ),
+        (STEPS.astype("m8[ms]"), r"times, of the type timedelta64\[ms\]", SINCE),
+        (np.datetime64("2026-01-01", "ns") + STEPS.astype("m8[ms]"), r"times, of the type datetime64\[ns\]", SINCE),
         (SECONDS["t"] + 1j, "complex numbers, of the type complex128", "give real numbers"),
     ],
 )
 def test_times_and_complex_numbers_are_no_seconds(column, told, remedy):
     """As numbers they would be whole nanoseconds, or lose a part. What is told to do about times is right."""
-    with pytest.raises(ly.InputError, match=rf"^the column t of the log holds {told}\n  = .*{remedy}"):
+    with pytest.raises(ly.InputError, match=rf"^the column t of the log holds {told}\n  = {remedy}$"):
         ly.observe({**SECONDS, "t": column})
     if column.dtype.kind != "c":
         seconds = (column - column[0]) / np.timedelta64(1, "s")

@@ -14,6 +14,7 @@ log: ly.Result = ly.observe({"t": np.zeros(3), "x": np.zeros(3), "f": np.zeros(3
 converted: ly.Sample = readings.read(np.zeros(3, dtype=np.float32), np.zeros(3, dtype=np.int64))
 scalar: ly.Sample = ly.Readings(1e-3).read(np.float32(1.0), np.int64(2))
 whole: ly.Sample = readings.read([0, 0, 0], (0.0, 0.0, 0.0))
+other: ly.Readings = ly.Readings(np.float32(1e-3), no_faster_than=2)
 kept: ly.Tuning = ly.tune({"duration": 1.0})
 same: ly.Ensemble = ly.lab.ensemble({"duration": 1.0}, 3)
 table: ly.Table = ly.observe({"t": np.zeros(3)}, scale={"x": 1e-3}).replay

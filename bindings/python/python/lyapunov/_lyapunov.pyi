@@ -10,7 +10,8 @@ from typing_extensions import Self
 
 _Vector = npt.NDArray[np.float64]
 _Real = np.floating[Any] | np.integer[Any]
-_Signal = float | _Real | npt.NDArray[_Real] | Sequence[float]
+_Number = float | _Real
+_Signal = _Number | npt.NDArray[_Real] | Sequence[float]
 _Axes = Literal[1, 2, 3, 6, 7]
 
 __version__: str
@@ -37,7 +38,7 @@ class Sample:
 
     def __new__(
         cls,
-        period: float,
+        period: _Number,
         position: _Signal,
         velocity: _Signal,
         displacement: _Signal,
@@ -85,9 +86,9 @@ class Correction:
         cls,
         effort: _Signal,
         *,
-        observed_energy: float = 0.0,
-        alpha: float = 0.0,
-        shortfall: float = 0.0,
+        observed_energy: _Number = 0.0,
+        alpha: _Number = 0.0,
+        shortfall: _Number = 0.0,
         accepted: bool = True,
         axes: _Axes = 1,
     ) -> Self: ...
@@ -120,11 +121,11 @@ class Readings:
 
     def __new__(
         cls,
-        period: float,
+        period: _Number,
         *,
         axes: _Axes = 1,
-        no_faster_than: float | None = None,
-        cutoff: float | None = None,
+        no_faster_than: _Number | None = None,
+        cutoff: _Number | None = None,
         measured: bool = False,
         clocked: bool = False,
     ) -> Self: ...
@@ -134,7 +135,7 @@ class Readings:
         applied: _Signal,
         *,
         velocity: _Signal | None = None,
-        now: float | None = None,
+        now: _Number | None = None,
     ) -> Sample: ...
     def restart(self) -> None: ...
     @property
@@ -152,45 +153,45 @@ class Stabilizer:
     @overload
     def __new__(cls, name: Literal["none"], *, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["popc"], *, limit: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["popc"], *, limit: _Number, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["lolc"], *, limit: float, damping: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["lolc"], *, limit: _Number, damping: _Number, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["lolc"], *, limit: float, candidate: _Candidate, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["lolc"], *, limit: _Number, candidate: _Candidate, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["popc-bounded"], *, limit: float, credit: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["popc-bounded"], *, limit: _Number, credit: _Number, axes: _Axes = 1) -> Self: ...
     @overload
     def __new__(
         cls,
         name: Literal["popc-windowed", "popc-spread", "popc-rising"],
         *,
-        limit: float,
+        limit: _Number,
         ticks: int,
         axes: _Axes = 1,
     ) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["popc-threshold"], *, limit: float, velocity: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["popc-threshold"], *, limit: _Number, velocity: _Number, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["popc-rate-limited"], *, limit: float, rate: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["popc-rate-limited"], *, limit: _Number, rate: _Number, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["force-bound", "force-bounding"], *, damping: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["force-bound", "force-bounding"], *, damping: _Number, axes: _Axes = 1) -> Self: ...
     @overload
     def __new__(
         cls,
         name: Literal["tank"],
         *,
-        start: float,
-        floor: float = 0.0,
-        ceiling: float = ...,
-        power: float = ...,
+        start: _Number,
+        floor: _Number = 0.0,
+        ceiling: _Number = ...,
+        power: _Number = ...,
         axes: _Axes = 1,
     ) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["energy-bounding"], *, c1: float, c2: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["energy-bounding"], *, c1: _Number, c2: _Number, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["least-norm"], *, limit: float, decay: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["least-norm"], *, limit: _Number, decay: _Number, axes: _Axes = 1) -> Self: ...
     @overload
-    def __new__(cls, name: Literal["slope-bound"], *, slope: float, axes: _Axes = 1) -> Self: ...
+    def __new__(cls, name: Literal["slope-bound"], *, slope: _Number, axes: _Axes = 1) -> Self: ...
     @overload
     def __new__(cls, name: str, *, axes: _Axes = 1, **numbers: Any) -> Self:
         """One whose name a program finds out as it runs; what is missing is said then."""
@@ -208,7 +209,7 @@ class Observer:
     """Observed energy of a candidate, without a controller."""
 
     @overload
-    def __new__(cls, *, damping: float | None = None, candidate: None = None) -> Self: ...
+    def __new__(cls, *, damping: _Number | None = None, candidate: None = None) -> Self: ...
     @overload
     def __new__(cls, *, candidate: _Candidate) -> Self: ...
     def observe(self, sample: Sample) -> float:
@@ -219,7 +220,7 @@ class Observer:
     def __copy__(self) -> Observer: ...
     def __deepcopy__(self, memo: object, /) -> Observer: ...
 
-def damping_limit(mass: float, period: float, *, cap: float = 0.5, delay: int = 0) -> float:
+def damping_limit(mass: _Number, period: _Number, *, cap: _Number = 0.5, delay: int = 0) -> float:
     """The largest damping that a stabilizer may inject, N·s/m: `cap · mass / period`, less with a delay in ticks."""
 
 @final
@@ -247,7 +248,7 @@ class Batch:
     """Loops that tick together, each with readings and a stabilizer of its own, on lanes and all cores."""
 
     def __new__(
-        cls, stabilizer: Stabilizer, loops: int, period: float, *, no_faster_than: float | None = None
+        cls, stabilizer: Stabilizer, loops: int, period: _Number, *, no_faster_than: _Number | None = None
     ) -> Self: ...
     @property
     def loops(self) -> int: ...
@@ -263,16 +264,16 @@ def replay(
 
 def closed_loop(
     ticks: int,
-    period: float,
+    period: _Number,
     *,
-    mass: float | _Vector,
-    wall_stiffness: float | _Vector,
-    damping: float | _Vector | None = None,
-    stiffness: float | _Vector | None = None,
-    position: float | _Vector | None = None,
-    velocity: float | _Vector | None = None,
-    wall_damping: float | _Vector | None = None,
-    wall_position: float | _Vector | None = None,
+    mass: _Number | _Vector,
+    wall_stiffness: _Number | _Vector,
+    damping: _Number | _Vector | None = None,
+    stiffness: _Number | _Vector | None = None,
+    position: _Number | _Vector | None = None,
+    velocity: _Number | _Vector | None = None,
+    wall_damping: _Number | _Vector | None = None,
+    wall_position: _Number | _Vector | None = None,
     stabilizer: Stabilizer | None = None,
 ) -> dict[str, _Vector]:
     """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name.
@@ -358,15 +359,15 @@ def ensemble(
     count: int,
     seed: int,
     stabilizer: str | None = None,
-    phase: float | None = None,
-    mass: float | None = None,
-    damping: float | None = None,
-    stiffness: float | None = None,
+    phase: _Number | None = None,
+    mass: _Number | None = None,
+    damping: _Number | None = None,
+    stiffness: _Number | None = None,
     progress: _Progress = None,
 ) -> Told: ...
 def bound(scene: Scene) -> Told: ...
 def explain(scene: Scene) -> Told: ...
-def accuracy(scene: Scene, target: float | None = None, progress: _Progress = None) -> Told: ...
+def accuracy(scene: Scene, target: _Number | None = None, progress: _Progress = None) -> Told: ...
 def tune(
     scene: Scene,
     stabilizers: str,
@@ -381,9 +382,9 @@ def observe(
     columns: str | None = None,
     scale: Sequence[str] = ...,
     candidate: str = "spring",
-    damping: float | None = None,
-    surface: float | None = None,
-    contact: float | None = None,
+    damping: _Number | None = None,
+    surface: _Number | None = None,
+    contact: _Number | None = None,
     stabilizers: str | None = None,
     scene: Scene | None = None,
     progress: _Progress = None,

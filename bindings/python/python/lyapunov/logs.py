@@ -79,8 +79,7 @@ def _checked(name: str, column: Any) -> np.ndarray[Any, Any]:
     except (TypeError, ValueError):
         raise InputError(f"the column {name} of the log holds what is no number\n  = leave the column out, or give numbers") from None
     if numbers is None:
-        since = f"{name} - {name}[0]" if kind.kind == "M" else name
-        remedy = f'give seconds: ({since}) / numpy.timedelta64(1, "s")' if kind.kind != "c" else "give real numbers"
+        remedy = "give real numbers" if kind.kind == "c" else f'give seconds: ({name} - {name}[0]) / numpy.timedelta64(1, "s")'
         raise InputError(f"the column {name} of the log holds {KINDS[kind.kind]}, of the type {kind}\n  = {remedy}")
     if numbers.ndim != 1:
         raise InputError(f"the column {name} of the log has the shape {numbers.shape}\n  = give one of shape (rows,)")

@@ -154,8 +154,12 @@ impl Loops<'_> {
             Member::NoStabilizer(_) => {
                 self.spread::<T, _>(NoStabilizer, prove, go_on, ends, |ticks| T::run(ticks))
             }
-            Member::Popc(popc) => self.spread::<T, _>(popc, prove, go_on, ends, |ticks| T::run(ticks)),
-            Member::Lolc(lolc) => self.spread::<T, _>(lolc, prove, go_on, ends, |ticks| T::run(ticks)),
+            Member::Popc(popc) => {
+                self.spread::<T, _>(popc, prove, go_on, ends, |ticks| T::run(ticks))
+            }
+            Member::Lolc(lolc) => {
+                self.spread::<T, _>(lolc, prove, go_on, ends, |ticks| T::run(ticks))
+            }
             // All others share one loop, which asks on every tick which it is: arrays spare one for each set of vectors.
             _ => {
                 let member = recipe.make::<F64x8>()?;
