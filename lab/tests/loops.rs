@@ -7,7 +7,7 @@ use lyapunov::stabilizers::{Member, NoStabilizer, StabilizerExt};
 use lyapunov::{
     DampingLimit, Dissipation, Lolc, OnePort, ParameterError, Plant, Popc, PortEnergy, Scalar,
 };
-use lyapunov_lab::map::{Loops, Numbers, Recipe};
+use lyapunov_lab::map::{Ends, Loops, Numbers, Recipe};
 
 const PERIOD: f64 = 1e-3;
 
@@ -79,8 +79,9 @@ fn have_the_bits(ticks: u64, start: &[f64]) {
         wall_damping: Numbers::All(2.0),
         wall_position: Numbers::All(5e-4),
     };
+    let room = || Ends::room(count).unwrap();
     for name in ["none", "popc", "lolc", "popc-bounded"] {
-        let ends = loops.ends(&Named(name), &|| true).unwrap().unwrap();
+        let ends = loops.ends(room(), &Named(name), &|| true).unwrap().unwrap();
         assert_eq!(ends.position.len(), count);
         for at in 0..count {
             let told = [&ends.position, &ends.velocity, &ends.observed_energy, &ends.largest];
@@ -92,7 +93,8 @@ fn have_the_bits(ticks: u64, start: &[f64]) {
     // What a body cannot have is said as by the body.
     let heavy =
         Loops { impedance: Impedance { mass: Numbers::All(0.0), ..loops.impedance }, ..loops };
-    let fault = |loops: &Loops<'_>| loops.ends(&Named("popc"), &|| true).unwrap_err().parameter;
+    let fault =
+        |loops: &Loops<'_>| loops.ends(room(), &Named("popc"), &|| true).unwrap_err().parameter;
     assert_eq!(fault(&heavy), "mass");
     // Numbers of the wall have names of their own here, and no part checks where a loop starts.
     let nowhere = Numbers::All(f64::NAN);
@@ -101,7 +103,7 @@ fn have_the_bits(ticks: u64, start: &[f64]) {
     assert_eq!(fault(&Loops { position: nowhere, ..loops }), "position");
     assert_eq!(fault(&Loops { wall_position: nowhere, ..loops }), "wall_position");
     // One that is stopped ends nowhere.
-    assert!(ticks == 0 || loops.ends(&Named("popc"), &|| false).unwrap().is_none());
+    assert!(ticks == 0 || loops.ends(room(), &Named("popc"), &|| false).unwrap().is_none());
 }
 
 /// Groups of any lanes and some lanes more; halves of even, odd and no ticks.

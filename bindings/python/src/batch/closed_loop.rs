@@ -75,7 +75,7 @@ pub(crate) fn closed_loop<'py>(
         ))
     })?;
     let ends = wait_here(py, move |watched| {
-        let ends = loops.ends_in(room, &recipe, &|| watched.go_on().is_continue());
+        let ends = loops.ends(room, &recipe, &|| watched.go_on().is_continue());
         ends.map_err(errors::parameter)?.ok_or(Fault::Stopped)
     })?;
     let results = PyDict::new(py);

@@ -1,7 +1,5 @@
 //! Closed loops whose numbers are arrays, on the lanes of maps.
 
-use std::collections::TryReserveError;
-
 use lyapunov::Scalar;
 use lyapunov::bodies::Impedance;
 use lyapunov::environments::Wall;
@@ -10,6 +8,7 @@ use lyapunov::{Correction, Dissipation, ParameterError, PortEnergy, PortSample, 
 use pulp::NullaryFnOnce;
 use rayon::prelude::*;
 
+use super::Ends;
 use super::batch::Batch;
 use super::meter::Watch;
 use super::numbers::Numbers;
@@ -64,61 +63,12 @@ pub struct Loops<'a> {
     pub wall_position: Numbers<'a>,
 }
 
-/// How loops ended, a number for each.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ends {
-    /// Position, m.
-    pub position: Vec<f64>,
-    /// Velocity, m/s.
-    pub velocity: Vec<f64>,
-    /// Observed energy at the last tick, J.
-    pub observed_energy: Vec<f64>,
-    /// The largest |position| from half of the ticks on, the start and the end counted, m.
-    pub largest: Vec<f64>,
-}
-
-impl Ends {
-    /// Room for the ends of `count` loops.
-    ///
-    /// # Errors
-    /// There is no memory for so many.
-    pub fn room(count: usize) -> Result<Self, TryReserveError> {
-        let zeros = || {
-            let mut zeros = Vec::new();
-            zeros.try_reserve_exact(count)?;
-            zeros.resize(count, 0.0);
-            Ok::<_, TryReserveError>(zeros)
-        };
-        let (position, velocity) = (zeros()?, zeros()?);
-        Ok(Self { position, velocity, observed_energy: zeros()?, largest: zeros()? })
-    }
-}
-
 impl Loops<'_> {
-    /// The ends of all loops, on all threads of the present pool; none where `go_on`, which is asked now and then, stopped them.
+    /// The ends of all loops, in `room` for as many, on all threads of the present pool; none where `go_on`, which is asked now and then, stopped them.
     ///
     /// # Errors
     /// A number that a mass, a wall, a start or a stabilizer cannot have.
     pub fn ends(
-        &self,
-        recipe: &impl Recipe,
-        go_on: &GoOn<'_>,
-    ) -> Result<Option<Ends>, ParameterError> {
-        let zeros = || vec![0.0; self.count];
-        let room = Ends {
-            position: zeros(),
-            velocity: zeros(),
-            observed_energy: zeros(),
-            largest: zeros(),
-        };
-        self.ends_in(room, recipe, go_on)
-    }
-
-    /// The same in the [`room`](Ends::room) that the caller has for as many loops: nothing else is as large.
-    ///
-    /// # Errors
-    /// As for [`ends`](Self::ends).
-    pub fn ends_in(
         &self,
         mut room: Ends,
         recipe: &impl Recipe,

@@ -7,6 +7,7 @@
 
 mod backward;
 mod batch;
+mod ends;
 mod field;
 mod loops;
 mod meter;
@@ -46,7 +47,8 @@ use crate::simulate::family::{BasicName, Settings};
 use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
 use batch::Batch;
-pub use loops::{Ends, GoOn, Loops, Recipe};
+pub use ends::Ends;
+pub use loops::{GoOn, Loops, Recipe};
 use meter::{Everything, Meter, Verdicts};
 pub use numbers::Numbers;
 use parts::Laned;
