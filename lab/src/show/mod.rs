@@ -8,7 +8,6 @@ pub(crate) mod envelope;
 pub(crate) mod html;
 pub(crate) mod labelled;
 pub(crate) mod output_error;
-pub(crate) mod prefix;
 pub(crate) mod row_file;
 mod summary;
 pub(crate) mod sync_folder;

@@ -2,8 +2,7 @@
 
 use super::{Oddity, Sign};
 use crate::files::log::Sample;
-use crate::show::prefix::prefixed;
-use crate::text::found;
+use crate::text::{found, prefixed};
 
 /// Factor by which a jump is longer than the steps beside it, and than any other of the log.
 const JUMP: f64 = 10.0;

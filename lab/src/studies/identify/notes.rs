@@ -3,8 +3,7 @@
 use super::device::Device;
 use super::recording::Recording;
 use super::wall::{Seen, Wall};
-use crate::show::prefix::prefixed;
-use crate::text::found;
+use crate::text::{found, prefixed};
 
 /// Share of the force in contact above which a wall is said to leave something.
 const LEFT: f64 = 0.1;

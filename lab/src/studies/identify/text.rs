@@ -7,9 +7,8 @@ use super::estimate::Estimate;
 use super::report::{Report, WallReport};
 use super::wall::EDGE;
 use crate::files::log::described;
-use crate::show::prefix::prefixed;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, legible};
+use crate::text::{folded, found, legible, prefixed};
 
 /// Causes of a run that does not stay by its log.
 const LEAVES: &str = "a loop at the edge of what is stable, a hand that moves, a stabilizer in the recorded one, uneven \

@@ -7,9 +7,8 @@ use super::contact::{Contact, SHARE};
 use super::observed_energy::ObservedEnergy;
 use super::report::Report;
 use crate::files::log::{GAP, described};
-use crate::show::prefix::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, legible};
+use crate::text::{folded, found, legible, prefix};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -6,7 +6,7 @@ use super::marks::Marks;
 use super::report::Report;
 use crate::files::log::Sample;
 use crate::show::envelope::Envelope;
-use crate::show::prefix::prefix;
+use crate::text::prefix;
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// Curves of a log, in a bounded number of points.

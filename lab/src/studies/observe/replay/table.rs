@@ -3,9 +3,8 @@
 use super::Replay;
 use super::group::Group;
 use crate::show::csv;
-use crate::show::prefix::prefix;
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::folded;
+use crate::text::{folded, prefix};
 
 impl Replay {
     /// The lines about who was asked, labelled.

@@ -4,8 +4,7 @@ use lyapunov_figures::{Figure, Panel, Series};
 
 use super::{Laid, Pair};
 use crate::show::envelope::Envelope;
-use crate::show::prefix::prefix;
-use crate::text::file_name;
+use crate::text::{file_name, prefix};
 
 /// Curves of a log and of the run at its rows, in a bounded number of points.
 #[derive(Clone, Debug)]
