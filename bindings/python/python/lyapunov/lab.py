@@ -194,9 +194,9 @@ def observe(
 
     `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]" or a list; or a table in memory: a
     dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI, as in
-    "x=1e-3", several in a list, or {"x": 1e-3}. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m,
-    too. `contact`, N, is the force above which there is contact. With `stabilizers` and the `scene` that sets their numbers, what
-    they would have done on the recorded motion.
+    "x=1e-3", several in a list, or {"x": 1e-3}. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or
+    "mass-spring-damper" with `surface`, m, too. `contact`, N, is the force above which there is contact. With `stabilizers` and
+    the `scene` that sets their numbers, what they would have done on the recorded motion.
     """
     named = _names("columns", columns)
     with shown(progress, "observe") as bar:
