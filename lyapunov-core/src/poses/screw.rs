@@ -16,7 +16,7 @@ use crate::{Angle, Axes, Pose, Scalar, WorldAxes};
 /// | effort | N | N·m |
 /// | work | J | J |
 ///
-/// Wrench paired with twist is power in any axes, `f·v + τ·ω`, and that is what [`Signal::inner`] gives; axes of
+/// Wrench paired with twist is power in any axes, `f·v + τ·ω`, and that is what [`Signal::inner`](crate::Signal::inner) gives; axes of
 /// different kinds do not mix. The product of a twist with itself has no unit: whatever weighs translation against
 /// rotation (a damping, a limit) comes in two numbers.
 ///

@@ -18,7 +18,7 @@ use crate::{Axes, Pose, Scalar, Screw, WorldAxes};
 /// | `work` | on each axis, J | 0 |
 ///
 /// [`Readings::of_poses`](crate::Readings::of_poses) make such samples from poses that are read. The pose carries no power: the
-/// [`sum`](Signal::sum) over the axes, and with it work and `v²`, is over the screw alone.
+/// [`sum`](crate::Signal::sum) over the axes, and with it work and `v²`, is over the screw alone.
 ///
 /// ```
 /// use lyapunov_core::{OnePort, Pose, PortSample, Screw, WithPose};
