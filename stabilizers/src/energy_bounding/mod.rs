@@ -191,8 +191,8 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
 
         let release = band.release();
         let lost = (one - two * burns / release).larger(zero);
-        let most = self.force.zip(moved, |force, moved| kept(force, release * moved, lost));
-        let within = bounded.zip(most, |force, most| force.larger(-most).smaller(most));
+        let size = self.force.zip(moved, |force, moved| kept(force, release * moved, lost));
+        let within = bounded.zip(size, |force, size| force.larger(-size).smaller(size));
         let bounded = V::choose(share.below(one), within, bounded);
         let accepted = booked & effort.finite() & moved.finite() & bounded.finite();
         self.force = V::choose(accepted, bounded, V::zero());
