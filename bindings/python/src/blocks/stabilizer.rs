@@ -42,7 +42,7 @@ on_any_axes! {
 /// - `popc-rate-limited`: limit, rate
 /// - `force-bound`, `force-bounding`: damping
 /// - `tank`: start, floor (0), ceiling (inf), power (inf)
-/// - `energy-bounding`: c1, c2
+/// - `energy-bounding`: c1, c2; it relies on a damping of c1 T, with the longest time T that a sample spans
 /// - `least-norm`: limit, decay
 /// - `slope-bound`: slope
 ///
