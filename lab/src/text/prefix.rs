@@ -1,6 +1,6 @@
 //! Prefix of a unit.
 
-use super::found;
+use super::numbers::found;
 
 /// Readable unit for a magnitude: its factor from SI, and its prefix.
 pub(crate) fn prefix(largest: f64) -> (f64, &'static str) {
