@@ -303,13 +303,8 @@ fn a_force_that_is_never_0_is_told() {
     }
     assert_eq!(of_log(&swing(|x, _| wall(x)), "t,x,f", &[]), []);
     assert_eq!(of_log(&swing(|x, _| (400.0 * (x + 0.03)).min(6.0)), "t,x,f", &[]), []);
-    let rests =
-        changed(
-            &swing(|x, _| 400.0 * (x + 0.03)),
-            |row, x, f| {
-                if row < 500 { (x, f) } else { (0.001, 12.4) }
-            },
-        );
+    let away = swing(|x, _| 400.0 * (x + 0.03));
+    let rests = changed(&away, |row, x, f| if row < 500 { (x, f) } else { (0.001, 12.4) });
     assert_eq!(of_log(&rests, "t,x,f", &[]), []);
 }
 
