@@ -236,7 +236,7 @@ typedef struct lyapunov_correction_f32 {
     float shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f32;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f32) == 24, lyapunov_correction_f32_size);
@@ -316,7 +316,7 @@ typedef struct lyapunov_correction_f64 {
     double shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f64;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f64) == 40, lyapunov_correction_f64_size);
@@ -396,7 +396,7 @@ typedef struct lyapunov_correction_f32x3 {
     float shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f32x3;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f32x3) == 32, lyapunov_correction_f32x3_size);
@@ -476,7 +476,7 @@ typedef struct lyapunov_correction_f64x3 {
     double shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f64x3;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f64x3) == 56, lyapunov_correction_f64x3_size);
@@ -556,7 +556,7 @@ typedef struct lyapunov_correction_f32x6 {
     float shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f32x6;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f32x6) == 44, lyapunov_correction_f32x6_size);
@@ -636,7 +636,7 @@ typedef struct lyapunov_correction_f64x6 {
     double shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f64x6;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f64x6) == 80, lyapunov_correction_f64x6_size);
@@ -716,7 +716,7 @@ typedef struct lyapunov_correction_f32screw {
     float shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f32screw;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f32screw) == 44, lyapunov_correction_f32screw_size);
@@ -796,7 +796,7 @@ typedef struct lyapunov_correction_f64screw {
     double shortfall;
     /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
     uint32_t accepted;
-    /* What the call returned. */
+    /* The code that the call returned. */
     uint32_t code;
 } lyapunov_correction_f64screw;
 LYAPUNOV_ASSERT(sizeof(lyapunov_correction_f64screw) == 80, lyapunov_correction_f64screw_size);

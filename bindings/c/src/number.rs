@@ -9,7 +9,7 @@ pub trait Number: Scalar<Mask = bool, Real = f64> + Flat<Self::Word> + Default {
     /// The integer with as many bits.
     type Word: Word;
 
-    /// What an odd count of them needs to fill 64 bits.
+    /// The part that fills an odd count of them up to 64 bits.
     type Fill: Copy + Default + core::fmt::Debug;
 
     /// The bits.

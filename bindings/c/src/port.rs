@@ -210,7 +210,7 @@ form! {
         pub shortfall: V::Scalar,
         /// 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds.
         pub accepted: u32,
-        /// What the call returned.
+        /// The code that the call returned.
         pub code: u32,
     }
 }

@@ -70,7 +70,7 @@ fn checked_in(path: &str, now: &str) {
     );
 }
 
-/// What compiled programs rely on: sizes and offsets, tags, signatures, enumerators.
+/// The lines that compiled programs rely on: sizes and offsets, tags, signatures, enumerators.
 fn promises(header: &str) -> BTreeSet<String> {
     let mut of = "";
     let mut told = BTreeSet::new();

@@ -22,7 +22,7 @@ impl Function {
         &self.name
     }
 
-    /// What it does with the block of this name, if it is one of its functions.
+    /// Its use of the block of this name, if it is one of its functions.
     fn verb(&self, block: &str) -> Option<&str> {
         self.name.strip_prefix(block)?.strip_prefix('_')
     }

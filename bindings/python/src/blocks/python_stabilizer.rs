@@ -22,7 +22,7 @@ pub(crate) struct PythonStabilizer {
 /// The work that asks stabilizers written in Python.
 #[derive(Clone, Debug)]
 pub(crate) struct Asker {
-    /// What they raised.
+    /// The errors that they raised.
     pub(crate) raised: Raised,
     /// Whether the work was interrupted.
     pub(crate) stopped: Arc<AtomicBool>,

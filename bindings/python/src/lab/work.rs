@@ -100,7 +100,7 @@ pub(crate) fn wait<T: Send + 'static>(
 
 /// The same of work that may ask Python, which runs on a thread of its own.
 ///
-/// What is asked there may call the lab, or wait for who calls it. It holds no thread of the pool meanwhile: where each held
+/// Python may call the lab from there, or wait for who calls it. It holds no thread of the pool meanwhile: where each held
 /// one, there would be none left for the work that they wait for.
 pub(crate) fn wait_asking<T: Send + 'static>(
     py: Python<'_>,
