@@ -95,8 +95,8 @@ impl Requirement {
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
     }
 
-    /// Where `value` is right, in its own type: where the processor has no doubles, each comparison of them is a function. None for a
-    /// requirement with a number, which that type might round.
+    /// The lanes in which `value` is right, in its own type: where the processor has no doubles, each comparison of them is a
+    /// function. None for a requirement with a number, which that type might round.
     #[inline(always)]
     fn right<T: Scalar>(self, value: T) -> Option<T::Mask> {
         let none = T::zero();

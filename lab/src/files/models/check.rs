@@ -7,7 +7,7 @@ use super::plant::Plant;
 use crate::files::scene::{Conflict, Scalar, check_single, check_ticks};
 use crate::text::found;
 
-/// What a number loses at most where it is shown with four digits.
+/// The most that a number loses where it is shown with four digits, as a share.
 const ROUNDING: f64 = 1e-3;
 
 impl Model {

@@ -4,9 +4,11 @@ use std::fmt;
 use std::ops::ControlFlow;
 
 use lyapunov::ParameterError;
+use serde::Serialize;
 
 use super::sheet::Sheet;
 pub use crate::measure::Watch;
+use crate::show::csv;
 use crate::text::names::{Named, Names};
 
 /// Ticks between two reports of progress.
@@ -19,6 +21,9 @@ pub trait Compared: Sized {
 
     /// An entrant.
     type Entrant: Named;
+
+    /// The numbers of an entrant.
+    type Score: Serialize;
 
     /// The kind of file, in one word.
     const NOUN: &'static str;
@@ -53,7 +58,12 @@ pub trait Compared: Sized {
     fn document(comparisons: &[Self], left_out: &[String]) -> serde_json::Result<String>;
 
     /// The rows of the JSON as comma-separated values, in numbers that read back exactly.
-    fn rows(comparisons: &[Self]) -> String;
+    fn rows(comparisons: &[Self]) -> String {
+        csv::named_records(Self::NOUN, comparisons.iter().flat_map(Self::named_scores))
+    }
+
+    /// The scores of the entrants, each with the name of the file.
+    fn named_scores(&self) -> impl Iterator<Item = (&str, &Self::Score)>;
 }
 
 /// Reason why there is no comparison.

@@ -61,7 +61,7 @@ impl Report {
         lines.join("\n")
     }
 
-    /// How far a run of the scene is off the log, and why that may be where it is far.
+    /// The distance of a run of the scene from the log, with possible causes where it is large.
     fn run(&self) -> String {
         let Some(error) = self.replayed else {
             return format!("a run of the scene below leaves the range of numbers: {LEAVES}");

@@ -27,6 +27,7 @@ pub struct Comparison {
 impl Compared for Comparison {
     type File = Model;
     type Entrant = Entrant;
+    type Score = Score;
 
     const NOUN: &'static str = "model";
     const TITLE: &'static str = "Stabilizers of control-affine plants";
@@ -75,11 +76,8 @@ impl Compared for Comparison {
         document::of(comparisons, left_out)
     }
 
-    fn rows(comparisons: &[Self]) -> String {
-        let rows = comparisons
-            .iter()
-            .flat_map(|comparison| comparison.scores().map(|score| (&comparison.name[..], score)));
-        csv::named_records(Self::NOUN, rows)
+    fn named_scores(&self) -> impl Iterator<Item = (&str, &Score)> {
+        self.scores().map(|score| (&self.name[..], score))
     }
 }
 

@@ -25,6 +25,7 @@ pub struct Comparison {
 impl Compared for Comparison {
     type File = Teleoperator;
     type Entrant = Entrant;
+    type Score = Score;
 
     const NOUN: &'static str = "teleoperator";
     const TITLE: &'static str = "Teleoperators over a channel";
@@ -70,11 +71,8 @@ impl Compared for Comparison {
         document::of(comparisons, left_out)
     }
 
-    fn rows(comparisons: &[Self]) -> String {
-        let rows = comparisons
-            .iter()
-            .flat_map(|comparison| comparison.scores().map(|score| (&comparison.name[..], score)));
-        csv::named_records(Self::NOUN, rows)
+    fn named_scores(&self) -> impl Iterator<Item = (&str, &Score)> {
+        self.scores().map(|score| (&self.name[..], score))
     }
 }
 

@@ -46,7 +46,7 @@ pub(super) trait Listener: Debug {
     /// Takes a step.
     fn book(&mut self, step: &Step, sample: &PortSample<f64>, median: f64);
 
-    /// What each stabilizer would have done.
+    /// The answers that each stabilizer would have given.
     ///
     /// # Errors
     /// A log whose ticks are not those of the scene.
