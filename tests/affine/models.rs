@@ -211,6 +211,31 @@ fn the_leg_stands_where_it_is_held_and_its_foot_is_where_geometry_puts_it() {
     }
 }
 
+/// Under a light upper link that carries a point, `M₁₁ M₂₂ − M₁₂²` would lose every digit in `f32`.
+#[test]
+fn a_light_upper_link_keeps_its_inertia_in_single_precision() {
+    let point = RigidLink::point(1.0_f32, 0.5);
+    for mass in [1e-3_f32, 1e-6, 1e-9] {
+        let arm = TwoLinkArm::new(RigidLink::rod(mass, 0.5), point).expect("an arm");
+        // The determinant m₁ l₁² m₂ l₂² / 3 over the trace 5 m₂ l²: to first order in the light mass.
+        let exact = f64::from(mass) * 0.25 * 0.25 / 3.0 / (5.0 * 0.25);
+        assert_abs_diff_eq!(f64::from(arm.least_inertia()) / exact, 1.0, epsilon = 1e-3);
+    }
+}
+
+/// A difference of two sines of gravity would have two digits left.
+#[test]
+fn the_legs_gradient_keeps_its_digits_near_the_posture() {
+    let energy = LegEnergy::new(leg::<f32>(), [200.0_f32, 150.0]).expect("an energy");
+    let exact = LegEnergy::new(leg::<f64>(), [200.0, 150.0]).expect("an energy");
+    let apart = Vector4::new(-3e-6_f32, 2e-6, 0.0, 0.0);
+    let (found, true_one) = (energy.gradient(apart), exact.gradient(apart.cast::<f64>()));
+    for joint in 0..2 {
+        let error = f64::from(found[joint]) / true_one[joint] - 1.0;
+        assert!(error.abs() < 1e-5, "{joint}: {found:?}, {true_one:?}");
+    }
+}
+
 /// Without delay, spring and damper take `q̇ᵀ D q̇` from V, and the ground never adds: in the air to the last digits.
 #[test]
 fn the_ground_under_the_leg_only_dissipates() {

@@ -83,10 +83,15 @@ impl<T: Scalar> LyapunovFunction<SVector<T, 4>> for LegEnergy<T> {
         let foot = self.leg.foot(apart);
         let load = self.leg.ground.stiffness * foot.depth.larger(T::of(0.0));
         let angles = self.leg.angles(apart);
-        let (pull, held) = (self.leg.arm.gravity(angles), self.leg.holding());
+        let tilts = ProstheticLeg::tilts(apart);
+        // Less what holds the posture: a difference in which the sines would cancel.
+        let pull = |limb: usize| {
+            let ([sine, cosine], tilt) = (self.leg.upright[limb], tilts[limb]);
+            self.leg.arm.weights[limb] * (cosine * sin(tilt) - sine * versine(tilt))
+        };
+        let pulls = [pull(0) + pull(1), pull(1)];
         let torque = |joint: usize| {
-            self.stiffness[joint] * apart[joint] + (pull[joint] - held[joint])
-                - foot.upwards[joint] * load
+            self.stiffness[joint] * apart[joint] + pulls[joint] - foot.upwards[joint] * load
         };
         let momenta = self.leg.arm.momenta(angles[1], rates);
         let knee = torque(1) + self.leg.arm.kinetic_by_elbow(angles[1], rates);

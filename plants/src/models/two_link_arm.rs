@@ -59,6 +59,8 @@ impl<T: Scalar> RigidLink<T> {
 pub struct TwoLinkArm<T> {
     /// `a`, `b`, `d`, kg·m².
     pub(super) inertias: [T; 3],
+    /// The determinant of the stretched arm's inertia, kg²·m⁴.
+    stretched: T,
     /// `w₁`, `w₂`, N·m.
     pub(super) weights: [T; 2],
 }
@@ -80,7 +82,9 @@ impl<T: Scalar> TwoLinkArm<T> {
             (one.mass * one.centre + two.mass * one.length) * gravity,
             two.mass * two.centre * gravity,
         ];
-        let arm = Self { inertias: [both, coupling, second], weights };
+        // Of terms above 0, where M₁₁ M₂₂ − M₁₂² would cancel for a light link.
+        let stretched = first * second + two.mass * one.length * one.length * two.inertia;
+        let arm = Self { inertias: [both, coupling, second], stretched, weights };
         Requirement::Positive.check("least inertia", arm.least_inertia())?;
         Requirement::InRange.check("weight", weights[0] + weights[1])?;
         Ok(arm)
@@ -98,7 +102,7 @@ impl<T: Scalar> TwoLinkArm<T> {
         let trace = m11 + m22;
         let difference = m11 - m22;
         let apart = (difference * difference + T::of(4.0) * m12 * m12).sqrt();
-        T::of(2.0) * (m11 * m22 - m12 * m12) / (trace + apart)
+        T::of(2.0) * self.stretched / (trace + apart)
     }
 
     /// `M₁₁`, `M₁₂` and `M₂₂` at the cosine of the elbow's angle.
@@ -150,11 +154,12 @@ impl<T: Scalar> TwoLinkArm<T> {
         [i11 * driven[0] + i12 * driven[1], i12 * driven[0] + i22 * driven[1]]
     }
 
-    /// The inverse of the inertia matrix, `M⁻¹`.
+    /// The inverse of the inertia matrix, `M⁻¹`, of determinant `det M(0) + (b sin q₂)²`.
     #[inline]
     pub(super) fn inverse(&self, elbow: T) -> [[T; 2]; 2] {
         let [m11, m12, m22] = self.inertia(cos(elbow));
-        let determinant = m11 * m22 - m12 * m12;
+        let bent = self.inertias[1] * sin(elbow);
+        let determinant = self.stretched + bent * bent;
         let across = -m12 / determinant;
         [[m22 / determinant, across], [across, m11 / determinant]]
     }
