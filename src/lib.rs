@@ -57,7 +57,7 @@
 //!
 //! | feature | adds |
 //! |---|---|
-//! | `alloc` | boxes of stabilizers, candidates, ports and plants are such |
+//! | `alloc` | a box of a stabilizer, candidate, port or plant is one itself |
 //! | `approx` | comparison within a tolerance for samples, corrections and other values |
 //! | `defmt` | `Format` for the same, to log them over a debug probe |
 //! | `serde` | `Serialize` and `Deserialize` for the same |

@@ -279,3 +279,15 @@ fn defaults_change_nothing() {
     }
     assert_eq!(Correction::<f64>::default(), Correction::none(0.0));
 }
+
+#[test]
+fn an_energy_that_is_not_a_number_has_no_extremes() {
+    let mut meter = EnergyMeter::new();
+    for energy in [f64::NAN, 2e-3, f64::NAN, -1e-3] {
+        meter.add(
+            &tick(PERIOD, [0.0; 4]),
+            &Correction { observed_energy: energy, ..Correction::none(0.0) },
+        );
+    }
+    assert_eq!((meter.summary().least, meter.summary().most), (-1e-3, 2e-3));
+}

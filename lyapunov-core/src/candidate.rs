@@ -1,6 +1,6 @@
 //! Lyapunov candidates: the functions whose decrease an observer sums.
 
-use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
+use crate::{ParameterError, PortSample, Scalar, Signal, Snapshot};
 
 /// Lyapunov candidate `V`, given by its decrease over each sample.
 ///
@@ -84,7 +84,8 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 /// `V` is the energy of the side that moves the port: when it falls, the port absorbed. It is the other side of
 /// [`PortEnergy`], which counts what the environment stores as positive; the energy of a virtual spring at the
 /// port therefore goes in with a minus sign. Where `V` is not finite, the last finite value is kept, so that the next
-/// finite one spans the gap; in a sum of terms only this term does so.
+/// finite one spans the gap; in a sum of terms only this term does so. Before the first finite value there is no decrease: it
+/// is NaN, and an observer leaves it out.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -101,14 +102,19 @@ pub struct StorageFunction<F, T> {
     last: T,
 }
 
+/// `energy`, or NaN where it is not finite.
+fn known<T: Scalar>(energy: T) -> T {
+    T::choose(energy.finite(), energy, T::of(f64::NAN))
+}
+
 impl<F, T: Scalar> StorageFunction<F, T> {
     /// The candidate `function`, counted from the state in which the loop starts.
     pub fn starting<V: Signal<Scalar = T>>(function: F, position: V, velocity: V) -> Self
     where
         F: Fn(V, V) -> T,
     {
-        let last = function(position, velocity);
-        Self { last: T::choose(last.finite(), last, T::zero()), function }
+        let last = known(function(position, velocity));
+        Self { last, function }
     }
 }
 
@@ -134,6 +140,6 @@ impl<F, T: Scalar> Snapshot for StorageFunction<F, T> {
     }
 
     fn restored(self, last: T) -> Result<Self, ParameterError> {
-        Ok(Self { last: Requirement::Finite.check("stored energy", last)?, ..self })
+        Ok(Self { last: known(last), ..self })
     }
 }

@@ -74,13 +74,17 @@ impl<V: Signal> Correction<V> {
         }
     }
 
-    /// This correction where its effort is finite; elsewhere a zero effort without damping, not accepted.
+    /// This correction where its effort is finite; elsewhere a zero effort without damping, not accepted, and the whole debt a
+    /// shortfall.
     #[inline(always)]
+    #[must_use]
     pub fn checked(self) -> Self {
         let finite = self.effort.finite();
+        let debt = self.shortfall.larger(-self.observed_energy);
         Self {
             effort: V::choose(finite, self.effort, V::zero()),
             alpha: V::Scalar::choose(finite, self.alpha, V::Scalar::of(0.0)),
+            shortfall: V::Scalar::choose(finite, self.shortfall, debt),
             accepted: self.accepted & finite,
             ..self
         }

@@ -88,6 +88,7 @@ impl<T: Copy, G> Dissipation<T, G> {
     }
 
     /// The same credit, counted only while `gate` is open.
+    #[must_use]
     pub fn gated<H>(self, gate: H) -> Dissipation<T, H> {
         Dissipation { damping: self.damping, gate }
     }

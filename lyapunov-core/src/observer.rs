@@ -35,6 +35,7 @@ impl<C, T: Scalar> Observer<C, Held, Plain<T>> {
 
 impl<C, W: Work, A> Observer<C, W, A> {
     /// The same candidate and observed energy, over another kind of work or in another sum.
+    #[must_use]
     pub fn booking<X: Work, B: Accumulator<T>, T: Scalar>(self) -> Observer<C, X, B>
     where
         A: Accumulator<T>,

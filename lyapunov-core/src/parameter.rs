@@ -121,6 +121,34 @@ impl Requirement {
             None => Ok(value),
         }
     }
+
+    /// Nothing if `kept` in every lane: the check of what follows from a `given` value, which the caller has never seen itself.
+    ///
+    /// ```
+    /// use lyapunov_core::{Requirement, Scalar};
+    /// let per_second = |period: f64| {
+    ///     let rate = 1.0 / period;
+    ///     Requirement::InRange.require("period", period, rate.finite()).map(|()| rate)
+    /// };
+    /// assert_eq!(per_second(1e-310).unwrap_err().value, 1e-310);
+    /// # let _ = per_second(1.0);
+    /// ```
+    ///
+    /// # Errors
+    /// A [`ParameterError`] that names `parameter` and the first lane of `given` in which it is not.
+    pub fn require<T: Scalar>(
+        self,
+        parameter: &'static str,
+        given: T,
+        kept: T::Mask,
+    ) -> Result<(), ParameterError> {
+        match (0..T::LANES).find(|&lane| !kept.lane(lane)) {
+            None => Ok(()),
+            Some(lane) => {
+                Err(ParameterError { parameter, value: given.lane(lane), requirement: self })
+            }
+        }
+    }
 }
 
 impl Requirement {

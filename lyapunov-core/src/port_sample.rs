@@ -88,6 +88,7 @@ impl<V: Signal> PortSample<V> {
 
     /// This sample joined to the `earlier` one: periods, displacements and works of both, the rest from this one.
     #[inline(always)]
+    #[must_use]
     pub fn spanning(self, earlier: &Self) -> Self {
         Self {
             period: earlier.period + self.period,

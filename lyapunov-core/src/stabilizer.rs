@@ -98,6 +98,8 @@ impl<P: Snapshot, S: Snapshot, V: Signal> Snapshot for Stabilized<P, S, V> {
     fn restored(self, (port, stabilizer, correction): Self::State) -> Result<Self, ParameterError> {
         Requirement::Finite.check_axes("stored effort", correction.effort)?;
         Requirement::Finite.check("stored energy", correction.observed_energy)?;
+        Requirement::NonNegative.check("stored alpha", correction.alpha)?;
+        Requirement::NonNegative.check("stored shortfall", correction.shortfall)?;
         let (port, stabilizer) = (self.port.restored(port)?, self.stabilizer.restored(stabilizer)?);
         Ok(Self { port, stabilizer, correction })
     }

@@ -63,6 +63,7 @@ impl<T: Scalar> Random<T> {
     /// let numbers: [f64; 3] = core::array::from_fn(|_| drawn.uniform());
     /// assert_eq!(Random::<f64>::new(|_| 7, Source::Ensemble).from_call(2).uniform(), numbers[2]);
     /// ```
+    #[must_use]
     pub fn from_call(self, calls: u64) -> Self {
         Self { calls, ..self }
     }

@@ -1,6 +1,6 @@
 //! Accounts: the observed energy of a stabilizer, read and changed between ticks.
 
-use lyapunov_core::{Accumulator, Ledger, Mask, ParameterError, Requirement, Scalar, Work};
+use lyapunov_core::{Accumulator, Ledger, ParameterError, Requirement, Scalar, Work};
 
 /// Stabilizer whose observed energy `L` can be read and changed between ticks.
 ///
@@ -60,6 +60,15 @@ pub(crate) fn granted<T: Scalar, A: Copy>(
     changed("granted credit", energy, sum, |sum| book(sum, energy))
 }
 
+/// Books `energy` joules of credit that a stabilizer starts with.
+pub(crate) fn budget<T: Scalar>(
+    energy: T,
+    book: impl FnOnce(T) -> T::Mask,
+) -> Result<(), ParameterError> {
+    let energy = Requirement::NonNegative.check("budget", energy)?;
+    Requirement::InRange.require("budget", energy, book(energy))
+}
+
 /// `sum` with as many joules of `debt` more.
 pub(crate) fn owed<T: Scalar, A: Copy>(
     sum: A,
@@ -78,13 +87,7 @@ fn changed<T: Scalar, A>(
     book: impl FnOnce(&mut A) -> T::Mask,
 ) -> Result<A, ParameterError> {
     let booked = book(&mut sum);
-    match (0..T::LANES).find(|&lane| !booked.lane(lane)) {
-        None => Ok(sum),
-        Some(lane) => {
-            let value = given.lane(lane);
-            Err(ParameterError { parameter, value, requirement: Requirement::InRange })
-        }
-    }
+    Requirement::InRange.require(parameter, given, booked).map(|()| sum)
 }
 
 impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {

@@ -55,7 +55,8 @@ impl<T: Scalar> VirtualCoupling<T> {
 /// `(K / 2 + B / T) Σ (|Δx|² + |Δe|²)`, and `f(n) · Δe(n)` pays for the second. The assumption holds for every spring that is
 /// no stiffer than `k`, walls included, if `c ≥ k T / 2`, and for a spring with a damper `B_e` if `c ≥ k T / 2 + B_e`.
 ///
-/// So the coupling is chosen by the device and the drag by the environment, which may be far stiffer than the device stands.
+/// So the coupling is chosen by the device and the drag by the environment, which may be far stiffer than the device
+/// can render.
 /// What it costs: a wall feels no stiffer than `K`, and free motion feels the drag. An environment that is not passive by
 /// itself (late, driven, or too stiff for the drag) stays what it is.
 ///

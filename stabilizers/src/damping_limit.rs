@@ -37,7 +37,7 @@ impl<T: Scalar> DampingLimit<T> {
         Ok(Self::finite(cap * mass / period))
     }
 
-    /// The limit of a mobility, `cap / (stiffness · period)` in m/(N·s), for admittance causality
+    /// The limit of a mobility, `mobility_cap / (stiffness · period)` in m/(N·s), for admittance causality
     /// ([`AdmittanceSample`](lyapunov_core::AdmittanceSample)): `stiffness` is the largest stiffness that holds the
     /// device, N/m.
     ///
@@ -45,13 +45,13 @@ impl<T: Scalar> DampingLimit<T> {
     /// multiplies the velocity of a mass: `1 / k` takes the place of `m`.
     ///
     /// # Errors
-    /// `cap` below 0 or NaN; `stiffness` or `period` not above 0 and finite.
-    pub fn of_stiffness(cap: T, stiffness: T, period: T) -> Result<Self, ParameterError> {
-        let cap = Requirement::Limit.check("mobility_cap", cap)?;
+    /// `mobility_cap` below 0 or NaN; `stiffness` or `period` not above 0 and finite.
+    pub fn of_stiffness(mobility_cap: T, stiffness: T, period: T) -> Result<Self, ParameterError> {
+        let cap = Requirement::Limit.check("mobility_cap", mobility_cap)?;
         let stiffness = Requirement::Positive.check("stiffness", stiffness)?;
         let period = Requirement::Positive.check("period", period)?;
         let product = stiffness * period;
-        // Out of range, their product would make no limit of a cap of 0, or none of a limit.
+        // A product of 0 would turn a cap of 0 into no limit, an infinite one a limit into 0.
         let fits = !product.below(T::smallest_normal()) & product.finite();
         Ok(Self::finite(T::choose(fits, cap / product, cap / stiffness / period)))
     }
@@ -86,6 +86,7 @@ impl<T: Scalar> DampingLimit<T> {
     /// assert_abs_diff_eq!(prompt.delayed(1).most(), 41.42, epsilon = 0.01);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
+    #[must_use]
     pub fn delayed(self, ticks: u32) -> Self {
         match ticks {
             0 => self,

@@ -2,10 +2,10 @@
 
 use lyapunov_core::{
     Accumulator, Correction, Held, Ledger, LyapunovCandidate, Mask, Observer, ParameterError,
-    Plain, PortSample, Requirement, Sampled, Scalar, Signal, Snapshot, Stabilizer, Work,
+    Plain, PortSample, Sampled, Scalar, Signal, Snapshot, Stabilizer, Work,
 };
 
-use crate::account::account;
+use crate::account::{account, budget};
 use crate::{DampingLimit, LimitCredit};
 
 /// Lyapunov observer/controller of Jafari, Etoundi and Chong.
@@ -19,8 +19,7 @@ use crate::{DampingLimit, LimitCredit};
 /// negative where `v² T` is above the smallest normal number and `α` below its limit. Both hold exactly for a reader who
 /// recomputes the served energy as `L + α · ((v · v) · T)`: the second because `α` is rounded up by a few units in the
 /// last place, as long as `α` and that product are normal numbers, the first always, because the shortfall is what that
-/// reader finds missing. These are identities of bookkeeping: the shortfall is what is
-/// missing, and a tick may bring any debt. A run with `L ≥ 0` on every tick is one whose port gave no more than it took
+/// reader finds missing. These are identities of bookkeeping: a tick may bring any debt. A run with `L ≥ 0` on every tick is one whose port gave no more than it took
 /// and was credited; that every run is like this is not promised.
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
@@ -56,17 +55,20 @@ impl<T: Scalar, C> Lolc<T, C> {
 
 impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// The same stabilizer over the paper's sampled work.
+    #[must_use]
     pub fn sampled(self) -> Lolc<T, C, Sampled, A> {
         Lolc { observer: self.observer.booking(), limit: self.limit }
     }
 
     /// The same stabilizer with its energies summed in a `B`.
+    #[must_use]
     pub fn summed_in<B: Accumulator<T>>(self) -> Lolc<T, C, W, B> {
         let sum = B::holding(self.observer.ledger.energy());
         self.summed_by(sum)
     }
 
     /// The same stabilizer with its energies summed in `sum`, from the present value of `sum` on.
+    #[must_use]
     pub fn summed_by<B: Accumulator<T>>(self, sum: B) -> Lolc<T, C, W, B> {
         let candidate = self.observer.candidate;
         Lolc { observer: Observer { candidate, ledger: Ledger::in_sum(sum) }, limit: self.limit }
@@ -79,7 +81,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// Credit for an energy that the port does not store only delays the controller.
     ///
     /// # Errors
-    /// `energy` below 0, infinite or NaN.
+    /// `energy` below 0, infinite or NaN, or more than the sum has room for.
     ///
     /// ```
     /// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
@@ -94,7 +96,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
     pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
-        self.observer.ledger.credit(Requirement::NonNegative.check("budget", energy)?);
+        budget(energy, |energy| self.observer.ledger.credit(energy))?;
         Ok(self)
     }
 }

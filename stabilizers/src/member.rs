@@ -167,7 +167,8 @@ members! {
     /// it are those that serve one axis only and bring a memory of the way
     /// ([`MemoryBased`](crate::MemoryBased), [`PathMemory`](crate::PathMemory)) or a surface
     /// ([`ContactReset`](crate::ContactReset)), those for several axes or a rigid body only ([`PerAxis`](crate::PerAxis),
-    /// [`PerPart`](crate::PerPart), [`PartLimits`](crate::PartLimits)), and the sides of a two-port; box them (`Box<dyn Stabilizer<V>>`, feature `alloc`), or write an enumeration of two members.
+    /// [`PerPart`](crate::PerPart), [`InertiaLimit`](crate::InertiaLimit)), and the sides of a two-port; box them
+    /// (`Box<dyn Stabilizer<V>>`, feature `alloc`), or write an enumeration of your own.
     ///
     /// Its [state](Snapshot) is stored with the name of the member. What is changed between ticks (an account, a limit) is
     /// changed in the member itself: `if let Member::Popc(popc) = &mut member { popc.owe(debt)?; }`.

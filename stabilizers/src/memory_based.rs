@@ -70,6 +70,7 @@ impl<T: Scalar, const N: usize> MemoryBased<T, N> {
     }
 
     /// The same memory for a force that acts `ticks` periods late.
+    #[must_use]
     pub fn delayed(self, ticks: u32) -> Self {
         Self { look: T::of(1.0 + f64::from(ticks)), ..self }
     }

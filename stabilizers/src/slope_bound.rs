@@ -29,7 +29,7 @@ use crate::range::in_range;
 /// Robotic Systems 14(1), 1997, with `μ` for the wall's stiffness). For a linear wall `F² / (2 μ)` is a storage of port
 /// and damper if it is stiffer than `μ`, and the spring's own energy if it is softer. So port and damper give nothing
 /// before a wall that is met from outside, where the first effort is 0. The first effort passes whole: a loop that
-/// starts in contact with a wall `k` at an effort `f` may give up to `f² / (2 min(k, μ))`. Both are without a creep. A
+/// starts in contact with a wall `k` at an effort `f` may give up to `f² / (2 min(k, μ))`. Both bounds hold without a creep only. A
 /// wall that is steep at first and then flat does make a loop, with a long step in and short ones out.
 ///
 /// **On several axes** all of this is of one axis after the other, so it holds where the force on each axis depends on the
@@ -64,7 +64,8 @@ use crate::range::in_range;
 pub struct SlopeBound<V: Signal, A = Plain<<V as Signal>::Scalar>> {
     slope: V::Scalar,
     creep: V::Scalar,
-    asked: Option<V>,
+    /// Not finite before the first sound effort.
+    asked: V,
     held: V,
     energy: A,
 }
@@ -77,7 +78,8 @@ impl<V: Signal> SlopeBound<V> {
     pub fn new(slope: V::Scalar) -> Result<Self, ParameterError> {
         let slope = Requirement::Positive.check("slope", slope)?;
         let creep = V::Scalar::of(0.0);
-        Ok(Self { slope, creep, asked: None, held: V::zero(), energy: Plain::zero() })
+        let asked = V::splat(V::Scalar::of(f64::NAN));
+        Ok(Self { slope, creep, asked, held: V::zero(), energy: Plain::zero() })
     }
 
     /// The slope `2 b / T`, for a device that surely has the viscous `damping` b, N·s/m.
@@ -88,7 +90,7 @@ impl<V: Signal> SlopeBound<V> {
         let damping = Requirement::Positive.check("device damping", damping)?;
         let period = Requirement::Positive.check("period", period)?;
         let slope = V::Scalar::of(2.0) * damping / period;
-        Self::new(in_range("device damping", damping, slope, Requirement::Positive)?)
+        Self::new(in_range("device damping", damping, slope)?)
     }
 }
 
@@ -104,6 +106,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> SlopeBound<V, A> {
     }
 
     /// The same bound with its energies summed in a `B`.
+    #[must_use]
     pub fn summed_in<B: Accumulator<V::Scalar>>(self) -> SlopeBound<V, B> {
         let Self { slope, creep, asked, held, energy } = self;
         SlopeBound { slope, creep, asked, held, energy: B::holding(energy.value()) }
@@ -126,7 +129,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
         let booked = self.energy.book(work);
         let sum = self.energy.value();
 
-        let change = effort - self.asked.unwrap_or(effort);
+        let change = effort - V::choose(self.asked.finite(), self.asked, effort);
         let followed = change.zip(sample.displacement.scale(self.slope), within);
         let creep = self.creep * sample.period;
         let held = (self.held + (change - followed))
@@ -136,7 +139,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
             & (held.sum() + creep).finite()
             & sample.timed();
         self.held = V::choose(sound, held, self.held);
-        self.asked = Some(V::choose(sound, effort, self.asked.unwrap_or(V::zero())));
+        self.asked = V::choose(sound, effort, self.asked);
         let accepted = booked & sound;
         Correction {
             effort: V::choose(accepted, effort - held, V::zero()),
@@ -181,15 +184,16 @@ impl<V: Signal, A> SlopeBound<V, A> {
 }
 
 impl<V: Signal, A: Snapshot> Snapshot for SlopeBound<V, A> {
-    /// The effort that was asked for and the one held back, N, and the energy.
-    type State = (Option<V>, V, A::State);
+    /// The effort that was asked for, NaN before the first, and the one held back, N, and the energy.
+    type State = (V, V, A::State);
 
     fn state(&self) -> Self::State {
         (self.asked, self.held, self.energy.state())
     }
 
     fn restored(self, (asked, held, energy): Self::State) -> Result<Self, ParameterError> {
-        Requirement::Finite.check_axes("stored effort", asked.unwrap_or(held))?;
+        let none = V::splat(V::Scalar::of(f64::NAN));
+        let asked = V::choose(asked.finite(), asked, none);
         let held = Requirement::Finite.check_axes("stored effort", held)?;
         Ok(Self { asked, held, energy: self.energy.restored(energy)?, ..self })
     }

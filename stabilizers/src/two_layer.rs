@@ -87,6 +87,13 @@ impl<T: Scalar> TwoLayer<T> {
 }
 
 impl<T: Scalar, A: Accumulator<T>> TwoLayer<T, A> {
+    /// The same end with the energy of its tank summed in a `B`.
+    #[must_use]
+    pub fn summed_in<B: Accumulator<T>>(self) -> TwoLayer<T, B> {
+        let Self { tank, share, level, gain, received, booked, sent } = self;
+        TwoLayer { tank: B::holding(tank.value()), share, level, gain, received, booked, sent }
+    }
+
     /// Takes the other end's [`sent`](Self::sent) energy, J; to be called before a tick.
     #[inline]
     pub fn receive(&mut self, energy: T) {

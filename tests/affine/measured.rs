@@ -57,9 +57,11 @@ fn after_a_state_that_is_not_finite_the_next_spans_the_gap() {
     let none = Vector1::new(0.0);
     let bad = port.tell(Vector2::new(f64::NAN, 1.0), none);
     assert!(!bad.finite());
+    // A period is the time since the last call, also of the next one.
+    assert_eq!((bad.period, port.tell(Vector2::new(0.1, f64::NAN), none).period), (0.01, 0.01));
     let good = port.tell(Vector2::new(0.12, 1.0), none);
-    assert!(good.finite() && abs_diff_eq!(good.period, 0.02, epsilon = 1e-15));
-    assert_abs_diff_eq!(good.displacement.input[0], 0.02, epsilon = 1e-15);
+    assert!(good.finite() && abs_diff_eq!(good.period, 0.03, epsilon = 1e-15));
+    assert_abs_diff_eq!(good.displacement.input[0], 0.03, epsilon = 1e-15);
     assert_abs_diff_eq!(good.displacement.state[0], 0.02, epsilon = 1e-15);
     assert_eq!(port.tell(Vector2::new(0.13, 1.0), none).period.lane(0), 0.01);
 }

@@ -21,7 +21,7 @@ fn name<X>(refused: Result<X, ParameterError>) -> &'static str {
 fn parameters_are_refused_by_name() {
     assert_eq!(name(VanDerPol::new(-1.0)), "mu");
     assert_eq!(name(AdmittanceDevice::new(0.0)), "stiffness");
-    assert_eq!(name(AdmittanceDevice::new(1e-40_f32)), "1 / stiffness");
+    assert_eq!(name(AdmittanceDevice::new(1e-40_f32)), "stiffness");
     assert_eq!(name(AdmittanceDevice::new(1.0).and_then(|it| it.energy(0.0))), "mass");
     assert_eq!(name(InvertedPendulum::new(0.0, 1.0, 0.0)), "mass");
     assert_eq!(name(InvertedPendulum::new(1.0, f64::NAN, 0.0)), "length");

@@ -3,10 +3,13 @@
 use std::collections::VecDeque;
 
 use lyapunov::{
-    DampingLimit, HeldTick, PortEnergy, PortSample, Stabilizer,
+    DampingLimit, HeldTick, ParameterError, PortEnergy, PortSample, Stabilizer,
     accumulators::{Accumulator, Compensated, Plain, Wide},
     candidates::InContact,
-    stabilizers::{Account, ForceBound, LeastNorm, StabilizerExt, WindowedCredit},
+    stabilizers::{
+        Account, ForceBound, LeastNorm, Sharing, StabilizerExt, Tank, TankLimits, TwoLayer,
+        WindowedCredit,
+    },
 };
 
 use crate::support::{Dice, PERIOD, popc};
@@ -158,6 +161,20 @@ fn a_budget_is_in_the_account() {
     assert_eq!(wide.observed_energy(), 1e-3);
 }
 
+#[test]
+fn a_budget_beyond_the_sum_is_refused() {
+    let most = f32::MAX;
+    let name = |refused: Option<ParameterError>| refused.map(|it| (it.parameter, it.value));
+    let expected = Some(("budget", f64::from(most)));
+    let bound = ForceBound::new(0.1_f32).and_then(|it| it.budgeted(most)).expect("a budget");
+    assert_eq!(name(bound.budgeted(most).err()), expected);
+    let limit = DampingLimit::at(1.0_f32).expect("a limit");
+    let filter = LeastNorm::new(PortEnergy, limit, 0.5).and_then(|it| it.budgeted(most));
+    assert_eq!(name(filter.expect("a budget").budgeted(most).err()), expected);
+    let popc = popc::<f32>().budgeted(most).expect("a budget");
+    assert_eq!(name(popc.budgeted(most).err()), expected);
+}
+
 /// A budget goes along into another sum and to another kind of work, whichever is asked for first.
 #[test]
 fn a_budget_goes_along() {
@@ -167,6 +184,11 @@ fn a_budget_goes_along() {
     assert_eq!(budgeted.sampled().summed_in::<Wide<f64>>().observed_energy(), 1e-3);
     let bound = ForceBound::new(1.0).and_then(|it| it.budgeted(2e-3)).expect("a budget");
     assert_eq!(bound.summed_in::<Wide<f64>>().observed_energy(), 2e-3);
+    let store = TankLimits { start: 3e-3, floor: 1e-3, ceiling: 5e-3, power: 1.0 };
+    let tank = Tank::new(PortEnergy, store).expect("a tank").summed_in::<Wide<f64>>();
+    assert_eq!((tank.observed_energy(), tank.room()), (2e-3, 4e-3));
+    let end = TwoLayer::slave(Sharing { start: 2e-3, share: 0.1 }).expect("an end");
+    assert_eq!(end.summed_in::<Compensated<f64>>().observed_energy(), 2e-3);
     let limit = DampingLimit::at(1.0).expect("a limit");
     let filter = LeastNorm::new(PortEnergy, limit, 0.5).and_then(|it| it.budgeted(3e-3));
     let filter = filter.expect("a budget");

@@ -157,3 +157,15 @@ fn what_cannot_be_met_is_told() {
     assert!(LeastNorm::new(PortEnergy, DampingLimit::at(1.0).expect("one"), 0.0).is_err());
     assert!(LeastNorm::new(PortEnergy, DampingLimit::at(1.0).expect("one"), 1.5).is_err());
 }
+
+/// An effort out of range takes no damping with it, so nothing of the debt is served.
+#[test]
+fn a_rejected_effort_leaves_the_whole_debt_a_shortfall() {
+    let limit = DampingLimit::at(f32::INFINITY).expect("a limit");
+    let mut filter = LeastNorm::new(PortEnergy, limit, 1.0).expect("a filter");
+    let debt =
+        HeldTick { period: 1e-3, position: 0.0, velocity: 1.0, displacement: 1.0, applied: -1e36 };
+    let told = filter.stabilize(&debt.sample(), f32::MAX);
+    assert_eq!((told.accepted, told.effort, told.alpha), (false, 0.0, 0.0));
+    assert_eq!((told.observed_energy, told.shortfall), (-1e36, 1e36));
+}

@@ -293,6 +293,13 @@ fn a_weight_creeps_in() {
     }
 }
 
+/// The first sound effort passes whole, whatever came before it.
+#[test]
+fn a_first_effort_that_is_not_sound_holds_nothing_back() {
+    let ticks = [(0.0, f64::NAN), (0.0, 5.0), (0.0, f64::INFINITY), (0.0, 5.0)];
+    assert_eq!(run(bound(), &ticks), [0.0, 5.0, 0.0, 5.0]);
+}
+
 #[test]
 fn what_cannot_be_right_is_refused() {
     assert!(SlopeBound::<f64>::new(0.0).is_err() && SlopeBound::<f64>::new(f64::INFINITY).is_err());

@@ -105,7 +105,9 @@ fn in_f32_an_undamped_swing_keeps_its_size_within_the_rounding_of_its_steps() {
         assert!(abs_diff_eq!(energy(midpoint) / first, 1.0, epsilon = most), "{tick}");
         assert!(abs_diff_eq!(energy(exact) / first, 1.0, epsilon = most), "{tick}");
         if tick % (steps / 10) == 0 {
-            assert_eq!(one_by_one.advance(0.0).position, midpoint.position);
+            // Its sums are rounded elsewhere.
+            let apart = one_by_one.advance(0.0).position - midpoint.position;
+            assert!(f64::from(apart.abs()) < 0.004 * most, "{tick}: {apart} m");
         }
     }
 }

@@ -4,6 +4,7 @@ use lyapunov::lanes::{AutoF64x4, WideF64x4};
 use lyapunov::laws::{self, Law, Samples};
 use lyapunov::{
     Scalar, Signal,
+    accumulators::DoubleDouble,
     bodies::Impedance,
     integrators::{
         CoupledOscillators, Exact, ImplicitMidpoint, Integrator, Mechanics, Oscillator,
@@ -116,4 +117,15 @@ fn a_broken_law_of_an_integrator_is_named() {
     assert_eq!(broken(Broken::Drifting, 4), Some(Law::NothingForNothing));
     assert_eq!(broken(Broken::Following, 4), Some(Law::LaneByLane));
     assert_eq!(broken(Broken::Overflowing, 4), Some(Law::Finite));
+}
+
+/// Lanes are told apart with all their digits.
+#[test]
+fn thirty_digits_keep_the_laws() {
+    let of = DoubleDouble::of;
+    let parts = Impedance { mass: of(0.3), damping: of(0.4), stiffness: of(60.0) };
+    let dynamics = Oscillator::new(parts).expect("parts");
+    let third = |k: i32| DoubleDouble::of(f64::from(k)) / DoubleDouble::of(3.0);
+    let starts = (1..20).map(|k| (State { position: third(k), velocity: third(-k) }, third(k)));
+    laws::integrator(&RungeKutta4, &dynamics, starts, DoubleDouble::of(0.06), 4).expect("the laws");
 }

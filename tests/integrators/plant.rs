@@ -75,3 +75,20 @@ fn the_coordinates_of_two_masses_are_a_signal() {
     assert_eq!((TwoMassCoordinates::all_at(2.0), b.at_port()), (at(2.0, 0.0), 3.0));
     assert!(!at(0.0, f64::NAN).finite() && !at(f64::INFINITY, 0.0).finite() && a.finite());
 }
+
+/// A body that coasts in `f32`, a decimetre from the origin: each of a thousand short steps is far below what a position of that
+/// size can tell.
+#[test]
+fn many_short_steps_lose_no_motion() {
+    let free = Impedance { mass: 0.3, damping: 0.0, stiffness: 0.0 };
+    let dynamics = Oscillator::<f32>::new(free).expect("parts");
+    for steps in [1, 100, 1000] {
+        let plant = IntegratedPlant::<f32, _, _>::new(dynamics, RungeKuttaNystrom4, 1e-3, steps);
+        let mut plant = plant.expect("a plant").starting(-0.1, 5e-3);
+        for _ in 0..1000 {
+            plant.advance(0.0);
+        }
+        let coasted = f64::from(plant.state().position) + f64::from(0.1_f32);
+        assert!((coasted / 5e-3 - 1.0).abs() < 1e-3, "{steps} steps: {coasted} m");
+    }
+}

@@ -33,6 +33,7 @@ impl<V: Signal> Samples<V> {
     }
 
     /// The same kind of samples with other numbers.
+    #[must_use]
     pub fn seeded(self, seed: u64) -> Self {
         Self { seed, ..self }
     }

@@ -93,5 +93,5 @@ impl Told {
 
 /// Lane `lane` of every axis, in all lanes.
 pub(super) fn spread<X: Signal>(signal: X, lane: usize) -> X {
-    signal.map(|axis| X::Scalar::of(axis.lane(lane)))
+    signal.map(|axis| X::Scalar::from_reals(|_| axis.real(lane)))
 }

@@ -66,6 +66,8 @@ impl<T: Angle, F: Axes> Snapshot for PoseTrack<T, F> {
 
     fn restored(self, (at, known, left): Self::State) -> Result<Self, ParameterError> {
         Requirement::Finite.check_axes("stored position", at.screw)?;
+        let sound = !known || Self::from(at.pose).known;
+        Requirement::Finite.require::<T>("stored pose", T::of(f64::NAN), sound)?;
         Ok(Self { at, known, steps: self.steps.restored(left)? })
     }
 }

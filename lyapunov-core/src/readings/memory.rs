@@ -87,6 +87,12 @@ impl<V: Signal> Memory<V> {
         self.gap = V::Scalar::of(0.0);
     }
 
+    /// Nothing if a track of this kind can go on from where it is.
+    pub(super) fn goes_on<P: Track<V>>(&self) -> Result<(), ParameterError> {
+        let sound = P::sound(self.position) | !self.known();
+        Requirement::Finite.require("stored pose", V::Scalar::of(f64::NAN), sound)
+    }
+
     /// The position of `place` on a `track`, and the track with it.
     #[inline(always)]
     pub(super) fn lead<P: Track<V>>(&self, track: P, place: P::Place) -> (V, P) {

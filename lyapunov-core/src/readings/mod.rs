@@ -105,6 +105,7 @@ impl<T: Angle, F: Axes, E, C> Readings<WithPose<T, F>, E, C> {
     /// assert!(read(3.18).jumped); // 30 rad/s
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
+    #[must_use]
     pub fn of_poses(self) -> Readings<WithPose<T, F>, E, C, Poses<T, F>> {
         let Self { period, memory, velocity, clock, .. } = self;
         let fastest = <Poses<T, F> as Track<WithPose<T, F>>>::unlimited();
@@ -179,6 +180,7 @@ impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
     }
 
     /// The same readings with velocities by an estimator of your own.
+    #[must_use]
     pub fn estimated_by<F: VelocityEstimator<V>>(self, estimator: F) -> Readings<V, F, C, P> {
         let Self { period, fastest, memory, clock, track, .. } = self;
         Readings { period, fastest, memory, velocity: estimator, clock, track }
@@ -193,6 +195,7 @@ impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
     /// assert_eq!((first.sample.displacement, first.sample.velocity), (0.0, 0.1));
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
+    #[must_use]
     pub fn measured(self) -> Readings<V, Measured, C, P> {
         let Self { period, fastest, memory, clock, track, .. } = self;
         Readings { period, fastest, memory, velocity: Measured, clock, track }
@@ -249,6 +252,7 @@ impl<V: Signal, E, P: Track<V>> Readings<V, E, Steady, P> {
     /// assert!(late.late && (late.sample.period - 4e-3_f64).abs() < 1e-12);
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
+    #[must_use]
     pub fn clocked(self) -> Readings<V, E, Clocked, P> {
         let Self { period, fastest, memory, velocity, track, .. } = self;
         Readings { period, fastest, memory, velocity, clock: Clocked::new(), track }
@@ -323,8 +327,10 @@ where
         self,
         (memory, velocity, clock, track): Self::State,
     ) -> Result<Self, ParameterError> {
+        let memory = self.memory.restored(memory)?;
+        memory.goes_on::<P>()?;
         Ok(Self {
-            memory: self.memory.restored(memory)?,
+            memory,
             velocity: self.velocity.restored(velocity)?,
             clock: self.clock.restored(clock)?,
             track: self.track.restored(track)?,

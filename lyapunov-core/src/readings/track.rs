@@ -38,6 +38,9 @@ pub trait Track<V: Signal>: Copy {
     /// `known`; and the track with this position.
     fn lead(self, place: Self::Place, last: V, known: <V::Scalar as Scalar>::Mask) -> (V, Self);
 
+    /// Mask of the lanes in which displacements from `last` are finite, so that a stored position can be gone on from.
+    fn sound(last: V) -> <V::Scalar as Scalar>::Mask;
+
     /// `yes` where `mask` is true, else `no`.
     fn choose(mask: <V::Scalar as Scalar>::Mask, yes: Self, no: Self) -> Self;
 }
@@ -74,6 +77,10 @@ impl<V: Signal> Track<V> for Positions {
         (place, self)
     }
 
+    fn sound(last: V) -> <V::Scalar as Scalar>::Mask {
+        last.finite()
+    }
+
     #[inline(always)]
     fn choose(_mask: <V::Scalar as Scalar>::Mask, yes: Self, _no: Self) -> Self {
         yes
@@ -105,8 +112,8 @@ pub struct Poses<T, F = WorldAxes> {
 pub struct PartSpeeds<T> {
     /// Of the reference point, m/s; infinity: no limit.
     pub translation: T,
-    /// Of the rotation, rad/s; infinity: no limit. A displacement turns by no more than π, so a limit bites only while
-    /// it times the time since the last accepted pose is below that.
+    /// Of the rotation, rad/s; infinity: no limit. A displacement turns by no more than π, so a limit acts only while
+    /// its product with the time since the last accepted pose is below π.
     pub rotation: T,
 }
 
@@ -162,6 +169,10 @@ impl<T: Angle, F: Axes> Track<WithPose<T, F>> for Poses<T, F> {
     #[inline]
     fn lead(self, pose: Pose<T>, last: WithPose<T, F>, known: bool) -> (WithPose<T, F>, Self) {
         self.step(&last, &pose, known)
+    }
+
+    fn sound(last: WithPose<T, F>) -> bool {
+        (last.screw + Screw::between(&last.pose, &last.pose)).finite()
     }
 
     #[inline]

@@ -62,6 +62,7 @@ impl<'a, V: Signal, const N: usize> Csv<'a, V, N> {
     }
 
     /// The same of another lane than the first; past the last one all numbers are NaN.
+    #[must_use]
     pub fn of_lane(self, lane: usize) -> Self {
         Self { lane, ..self }
     }

@@ -109,7 +109,7 @@ impl<T: Scalar> EnergyMeter<T> {
         correction: &Correction<V>,
     ) {
         let (zero, one) = (T::of(0.0), T::of(1.0));
-        let first = T::Mask::of(self.ticks == 0);
+        let first = T::Mask::of(self.ticks == 0) | !self.least.finite();
         self.ticks = self.ticks.wrapping_add(1);
         self.now = correction.observed_energy;
         self.least = T::choose(first, self.now, self.now.smaller(self.least));

@@ -39,14 +39,8 @@ impl<V: Signal> LowPassed<V> {
     pub fn new(cutoff: V::Scalar) -> Result<Self, ParameterError> {
         let cutoff = Requirement::Positive.check("filter cutoff", cutoff)?;
         let rate = V::Scalar::from_lanes(|lane| TAU * cutoff.lane(lane));
-        match (0..V::Scalar::LANES).find(|&lane| !rate.lane(lane).is_finite()) {
-            Some(lane) => Err(ParameterError {
-                parameter: "filter cutoff",
-                value: cutoff.lane(lane),
-                requirement: Requirement::InRange,
-            }),
-            None => Ok(Self { rate, velocity: None }),
-        }
+        Requirement::InRange.require("filter cutoff", cutoff, rate.finite())?;
+        Ok(Self { rate, velocity: None })
     }
 }
 

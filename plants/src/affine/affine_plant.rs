@@ -72,6 +72,7 @@ where
     }
 
     /// The same plant in `state`.
+    #[must_use]
     pub fn starting(self, state: SVector<T, N>) -> Self {
         Self { at: WithState { input: SVector::zeros(), state }, ..self }
     }

@@ -31,6 +31,8 @@ impl<F, T: Scalar> Decay<F, T> {
     }
 }
 
+lyapunov_core::without_memory!(impl[F, T: Scalar] Decay<F, T>);
+
 impl<T, F, const N: usize, const M: usize> LyapunovCandidate<WithState<T, N, M>> for Decay<F, T>
 where
     T: Scalar,

@@ -34,7 +34,7 @@ pub struct MeasuredPlant<P, F, T, const N: usize, const M: usize> {
     function: F,
     period: T,
     /// Time since the last sound sample, s.
-    elapsed: T,
+    gap: T,
     at: WithState<T, N, M>,
     flow: SVector<T, M>,
     /// The range of the efforts since then.
@@ -62,7 +62,7 @@ where
         let flow = plant.flow(&function, state);
         let none = SVector::zeros();
         let at = WithState { input: none, state };
-        Ok(Self { plant, function, period, elapsed: T::of(0.0), at, flow, least: none, most: none })
+        Ok(Self { plant, function, period, gap: T::of(0.0), at, flow, least: none, most: none })
     }
 
     /// The sample of the first tick.
@@ -80,18 +80,18 @@ where
     ) -> PortSample<WithState<T, N, M>> {
         let before = self.at;
         let flow = self.plant.flow(&self.function, state);
-        let elapsed = self.elapsed + self.period;
-        let integral = (self.flow + flow).scale(T::of(0.5) * elapsed);
+        let gap = self.gap + self.period;
+        let integral = (self.flow + flow).scale(T::of(0.5) * gap);
         let at = WithState { input: before.input + integral, state };
         let sound = at.finite() & flow.finite() & input.finite();
         let (least, most) = self.efforts(-input);
         let work = least.times(integral).zip(most.times(integral), Scalar::smaller);
         self.at = WithState::choose(sound, at, before);
         self.flow = Signal::choose(sound, flow, self.flow);
-        self.elapsed = T::choose(sound, T::of(0.0), elapsed);
+        self.gap = T::choose(sound, T::of(0.0), gap);
         (self.least, self.most) = (least, most);
         PortSample {
-            period: elapsed,
+            period: T::choose(sound, gap, self.period),
             position: at,
             velocity: WithState::of_input(flow),
             displacement: at - before,
@@ -108,9 +108,9 @@ where
     #[inline]
     fn efforts(&self, applied: SVector<T, M>) -> (SVector<T, M>, SVector<T, M>) {
         let applied = Signal::choose(applied.finite(), applied, self.least);
-        let gap = self.elapsed.above(T::of(0.0));
+        let missing = self.gap.above(T::of(0.0));
         let least = applied.zip(self.least, Scalar::smaller);
         let most = applied.zip(self.most, Scalar::larger);
-        (Signal::choose(gap, least, applied), Signal::choose(gap, most, applied))
+        (Signal::choose(missing, least, applied), Signal::choose(missing, most, applied))
     }
 }

@@ -1,8 +1,6 @@
 //! One mass on the operator's spring.
 
-use lyapunov_core::{
-    HeldTick, Mask, ParameterError, Plant, PortSample, Requirement, Scalar, Signal,
-};
+use lyapunov_core::{HeldTick, ParameterError, Plant, PortSample, Requirement, Scalar, Signal};
 use nalgebra::{Matrix3, SMatrix};
 
 use super::propagation::{self, by_rows, has_all_digits, rows};
@@ -78,6 +76,7 @@ impl<V: Signal> Body<V> {
     }
 
     /// The same body with the rest of its spring at `rest`, m.
+    #[must_use]
     pub fn resting_at(self, rest: V) -> Self {
         Self { rest, ..self }
     }
@@ -88,16 +87,17 @@ impl<V: Signal> Body<V> {
     }
 
     /// The position, m.
-    pub(super) fn place(&self) -> V {
+    pub(super) fn position(&self) -> V {
         self.position
     }
 
     /// The velocity, m/s.
-    pub(super) fn pace(&self) -> V {
+    pub(super) fn velocity(&self) -> V {
         self.velocity
     }
 
     /// The same body at `position` m, moving at `velocity` m/s.
+    #[must_use]
     pub fn starting(self, position: V, velocity: V) -> Self {
         Self { position, velocity, ..self }
     }
@@ -121,12 +121,7 @@ fn in_range<T: Scalar>(
 ) -> Result<[Row<T>; 2], ParameterError> {
     let rows = [Row::of(position), Row::of(velocity)];
     let finite = rows[0].finite() & rows[1].finite();
-    if finite.all() {
-        return Ok(rows);
-    }
-    let lane = (0..T::LANES).find(|&lane| !finite.lane(lane)).unwrap_or_default();
-    let (parameter, value) = ("mass", mass.lane(lane));
-    Err(ParameterError { parameter, value, requirement: Requirement::InRange })
+    Requirement::InRange.require("mass", mass, finite).map(|()| rows)
 }
 
 /// The gains over `interval`, by one function for every signal of a scalar.

@@ -3,7 +3,7 @@
 use core::fmt::Debug;
 
 use lyapunov_core::{
-    HeldTick, Integrator, Mask, Mechanics, ParameterError, Plant, PortSample, Requirement, Scalar,
+    HeldTick, Integrator, Mechanics, ParameterError, Plant, PortSample, Requirement, Scalar,
     Signal, State,
 };
 
@@ -12,7 +12,8 @@ use crate::{Coordinates, FromParts, OperatedBody};
 /// A plant that an [`Integrator`] moves along its [`Mechanics`], by equal steps over each period under the held effort.
 ///
 /// The origin of the coordinates is the rest. The sample reports the port's displacement as the exact difference of two
-/// positions, as [`Body`](crate::Body) does; each step adds its gain to the state, and no time is summed.
+/// positions, as [`Body`](crate::Body) does. The gains of a period's steps are summed apart and added to the state once, and no
+/// time is summed.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -64,17 +65,20 @@ where
     }
 
     /// The same plant with the origin of its coordinates, and so the rest of its spring, at `rest`, m.
+    #[must_use]
     pub fn resting_at(self, rest: V) -> Self {
         Self { rest, ..self }
     }
 
     /// The same plant with everything at `position` m, moving at `velocity` m/s.
+    #[must_use]
     pub fn starting(self, position: V, velocity: V) -> Self {
         let position = D::Coordinates::all_at(position);
         self.starting_from(State { position, velocity: D::Coordinates::all_at(velocity) })
     }
 
     /// The same plant in `state`, in absolute positions, not relative to the rest.
+    #[must_use]
     pub fn starting_from(self, state: State<D::Coordinates>) -> Self {
         Self { state, ..self }
     }
@@ -99,15 +103,7 @@ fn tried<V: Signal, D: Mechanics<V>>(
 ) -> Result<(), ParameterError> {
     let one = V::Scalar::of(1.0);
     let gain = integrator.step(dynamics, State::splat(one), V::splat(one), interval);
-    let finite = gain.finite();
-    match (0..V::Scalar::LANES).find(|&lane| !finite.lane(lane)) {
-        None => Ok(()),
-        Some(lane) => Err(ParameterError {
-            parameter: "period",
-            value: period.lane(lane),
-            requirement: Requirement::InRange,
-        }),
-    }
+    Requirement::InRange.require("period", period, gain.finite())
 }
 
 impl<V, D, I> Plant<V> for IntegratedPlant<V, D, I>
@@ -126,11 +122,14 @@ where
     fn advance(&mut self, effort: V) -> PortSample<V> {
         let before = self.state.position.at_port();
         let origin = D::Coordinates::all_at(self.rest);
+        // Apart: each gain of many short steps would be rounded to the size of the state.
+        let (start, mut gained) = (self.state, State::splat(V::Scalar::of(0.0)));
         for _ in 0..self.steps {
-            let from = State { position: self.state.position - origin, ..self.state };
-            let gain = self.integrator.step(&self.dynamics, from, effort, self.interval);
-            self.state = self.state + gain;
+            let State { position, velocity } = start + gained;
+            let from = State { position: position - origin, velocity };
+            gained = gained + self.integrator.step(&self.dynamics, from, effort, self.interval);
         }
+        self.state = start + gained;
         let (position, velocity) = (self.state.position.at_port(), self.state.velocity.at_port());
         HeldTick {
             period: self.period,

@@ -89,16 +89,15 @@ impl<T: Angle, F: Axes> RigidBody<T, F> {
         // Newton's step divides by such a product.
         let twice = parts.moments * (T::of(2.0) / interval);
         let volume = twice.x * twice.y * twice.z;
-        if !volume.finite() || volume.below(T::smallest_normal()) {
-            let (parameter, value) = ("moment of inertia", parts.moments.x.lane(0));
-            return Err(ParameterError { parameter, value, requirement: Requirement::InRange });
-        }
+        let kept = volume.finite() & !volume.below(T::smallest_normal());
+        Requirement::InRange.require("moment of inertia", parts.moments.x, kept)?;
         let (pose, still) = (Pose::at(Vector3::zeros()), Vector3::zeros());
         let track = PoseTrack::from(pose);
         Ok(Self { parts, period, interval, steps, pose, velocity: still, rate: still, track })
     }
 
     /// The same body in `pose`, moving with `twist`.
+    #[must_use]
     pub fn starting(self, pose: Pose<T>, twist: Screw<T, F>) -> Self {
         let velocity = F::to_world(&pose, twist.translation);
         let rate = pose.to_body(F::to_world(&pose, twist.rotation));

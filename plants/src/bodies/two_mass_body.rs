@@ -67,11 +67,13 @@ impl<V: Signal> TwoMassBody<V> {
     }
 
     /// The same masses with the rest of the operator's spring at `rest`, m.
+    #[must_use]
     pub fn resting_at(self, rest: V) -> Self {
         Self { rest, ..self }
     }
 
     /// The same masses, both at `position` m and moving at `velocity` m/s.
+    #[must_use]
     pub fn starting(self, position: V, velocity: V) -> Self {
         Self { position, velocity, stretch: V::zero(), stretching: V::zero(), ..self }
     }
@@ -92,12 +94,7 @@ fn in_range<T: Scalar>(device: T, maps: &Maps<T>) -> Result<(), ParameterError> 
             finite = finite & entry.finite();
         }
     }
-    if finite.all() {
-        return Ok(());
-    }
-    let lane = (0..T::LANES).find(|&lane| !finite.lane(lane)).unwrap_or_default();
-    let (parameter, value) = ("device.mass", device.lane(lane));
-    Err(ParameterError { parameter, value, requirement: Requirement::InRange })
+    Requirement::InRange.require("device.mass", device, finite)
 }
 
 /// The gains over `interval`, by one function for every signal of a scalar.

@@ -31,8 +31,9 @@ impl<T: Scalar> CoupledOscillators<T> {
         let one = T::of(1.0);
         let held = one + operator.stiffness + operator.damping + link.stiffness + link.damping;
         let led = one + device.damping + link.stiffness + link.damping;
-        Requirement::InRange.check("operator.mass", held / operator.mass)?;
-        Requirement::InRange.check("device.mass", led / device.mass)?;
+        let (held, led) = (held / operator.mass, led / device.mass);
+        Requirement::InRange.require("operator.mass", operator.mass, held.finite())?;
+        Requirement::InRange.require("device.mass", device.mass, led.finite())?;
         Ok(Self { parts, per_operator: one / operator.mass, per_device: one / device.mass })
     }
 

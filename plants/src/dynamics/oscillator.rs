@@ -29,7 +29,7 @@ impl<T: Scalar> Oscillator<T> {
         let by_velocity = per_mass(damping);
         let by_effort = per_mass(T::of(1.0));
         let largest = by_position + by_velocity + by_effort;
-        Requirement::InRange.check("mass", largest)?;
+        Requirement::InRange.require("mass", mass, largest.finite())?;
         Ok(Self { parts, by_position, by_velocity, by_effort })
     }
 }

@@ -39,6 +39,7 @@ impl<V: Signal> CubicSpring<V> {
     }
 
     /// The same spring, relaxed at `position`, m.
+    #[must_use]
     pub fn at(self, position: V) -> Self {
         Self { position, ..self }
     }

@@ -46,6 +46,7 @@ impl<T: Scalar> HuntCrossley<T> {
     }
 
     /// The same contact with its surface at `position`, m.
+    #[must_use]
     pub fn at(self, position: T) -> Self {
         Self { position, ..self }
     }

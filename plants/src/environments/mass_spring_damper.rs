@@ -29,6 +29,7 @@ impl<V: Signal> MassSpringDamper<V> {
     }
 
     /// The same mass-spring-damper, relaxed at `position`, m.
+    #[must_use]
     pub fn at(self, position: V) -> Self {
         Self { position, ..self }
     }

@@ -48,6 +48,7 @@ impl<T: Scalar> OrientationSpring<T> {
     }
 
     /// The same spring, relaxed in the orientation of `pose`.
+    #[must_use]
     pub fn at(self, pose: Pose<T>) -> Self {
         Self { rest: pose, ..self }
     }

@@ -36,17 +36,9 @@ impl<T: Scalar> Oscillation<T> {
         let oscillation = Self { amplitude, frequency, rate, calls: 0 };
         let last = Time::Calls { number: u64::MAX, rate };
         let peak = T::from_lanes(|lane| oscillation.peak_slope(lane));
-        let out_of_range = |&lane: &usize| {
-            !(oscillation.phase(last, lane).is_finite() && peak.lane(lane).is_finite())
-        };
-        match (0..T::LANES).find(out_of_range) {
-            None => Ok(oscillation),
-            Some(lane) => Err(ParameterError {
-                parameter: "frequency",
-                value: frequency.lane(lane),
-                requirement: Requirement::InRange,
-            }),
-        }
+        let phase = T::from_lanes(|lane| oscillation.phase(last, lane));
+        let kept = peak.finite() & phase.finite();
+        Requirement::InRange.require("frequency", frequency, kept).map(|()| oscillation)
     }
 
     /// The same oscillation from its first call on, called at `rate` Hz.

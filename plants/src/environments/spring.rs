@@ -32,6 +32,7 @@ impl<V: Signal> Spring<V> {
     }
 
     /// The same spring, relaxed at `position`, m.
+    #[must_use]
     pub fn at(self, position: V) -> Self {
         Self { position, ..self }
     }

@@ -41,6 +41,7 @@ impl<T: Scalar> Wall<T> {
     }
 
     /// The same wall with its surface at `position`, m.
+    #[must_use]
     pub fn at(self, position: T) -> Self {
         Self { position, ..self }
     }

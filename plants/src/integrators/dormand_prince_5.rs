@@ -10,7 +10,7 @@ use crate::EmbeddedPair;
 ///
 /// By itself it takes steps of the given length, with 6 evaluations each; [`Adaptive`](crate::Adaptive) chooses them,
 /// with 7. The last evaluation is not reused in the next step, whose effort is another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DormandPrince5;
 
 const ROWS: [Row; 6] = [

@@ -10,7 +10,7 @@ use crate::EmbeddedPair;
 /// coefficients of the authors' own program, which are irrational).
 ///
 /// It takes 12 evaluations, at steps of the given length or chosen by [`Adaptive`](crate::Adaptive).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DormandPrince8;
 
 const ROWS: [Row; 11] = [

@@ -21,7 +21,7 @@ use crate::ImplicitMechanics;
 ///
 /// The dynamics solve the equation for `a` ([`ImplicitMechanics`]). The linear ones that ship solve it in closed form:
 /// fixed-point iteration would converge only while `h ω < 2`, where the rule is not needed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 
 impl<V: Signal, D: ImplicitMechanics<V>> Integrator<V, D> for ImplicitMidpoint {

@@ -23,7 +23,7 @@ use lyapunov_core::{Dynamics, Integrator, Scalar, Signal};
 /// assert!((start.position + gain.position - 0.1_f64.cos()).abs() < 1e-7);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RungeKutta4;
 
 impl<U: Signal, D: Dynamics<U>> Integrator<U, D> for RungeKutta4 {

@@ -17,7 +17,7 @@ use lyapunov_core::{Integrator, Mechanics, Scalar, Signal, State};
 /// operations, of the same order and stability, differing only by rounding. It keeps nothing exactly: without damping
 /// the energy falls, in proportion to `(h ω)⁶ / 72` per step, and beyond `h ω = 2 √2` it grows (Hairer, Nørsett and
 /// Wanner, Solving Ordinary Differential Equations I, 1993, II.1 and II.14; Hairer and Wanner, part II, 1996, IV.2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RungeKuttaNystrom4;
 
 impl<V: Signal, D: Mechanics<V>> Integrator<V, D> for RungeKuttaNystrom4 {

@@ -8,7 +8,7 @@ use lyapunov_core::{Integrator, Mechanics, Signal, State};
 /// `ẍ = −ω² x` it is `v² + ω² x² − h ω² x v`, so the true energy varies by a factor of at most
 /// `(1 + h ω / 2) / (1 − h ω / 2)` and never grows while `h ω < 2` (Hairer, Lubich and Wanner, Geometric Numerical
 /// Integration, 2006, I.1 and VI.3). Damping is explicit: the method is stable while `h (b / m + h k / (2 m)) < 2`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SemiImplicitEuler;
 
 impl<V: Signal, D: Mechanics<V>> Integrator<V, D> for SemiImplicitEuler {

@@ -24,7 +24,8 @@ impl<T: Scalar> AdmittanceDevice<T> {
     /// `stiffness` not above 0 and finite, or its inverse out of the scalar's range.
     pub fn new(stiffness: T) -> Result<Self, ParameterError> {
         let stiffness = Requirement::Positive.check("stiffness", stiffness)?;
-        Requirement::InRange.check("1 / stiffness", T::of(1.0) / stiffness)?;
+        let compliance = T::of(1.0) / stiffness;
+        Requirement::InRange.require("stiffness", stiffness, compliance.finite())?;
         Ok(Self { stiffness })
     }
 

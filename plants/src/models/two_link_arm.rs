@@ -91,6 +91,7 @@ impl<T: Scalar> TwoLinkArm<T> {
     }
 
     /// The same arm in a horizontal plane, without the pull of gravity.
+    #[must_use]
     pub fn horizontal(self) -> Self {
         Self { weights: [T::of(0.0); 2], ..self }
     }

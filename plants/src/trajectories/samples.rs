@@ -31,8 +31,8 @@ impl<R: AsRef<[(f64, f64)]>> Samples<R> {
             Requirement::Finite.check("value", value)?;
             if let Some((earlier, last)) = before {
                 Requirement::AtLeast(earlier).check("t", time)?;
-                Requirement::InRange.check("t", time - earlier)?;
-                Requirement::InRange.check("value", value - last)?;
+                Requirement::InRange.require("t", time, f64::is_finite(time - earlier))?;
+                Requirement::InRange.require("value", value, f64::is_finite(value - last))?;
             }
             before = Some((time, value));
         }

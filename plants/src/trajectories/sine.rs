@@ -41,10 +41,8 @@ impl Sine {
     ) -> Result<Self, ParameterError> {
         Requirement::Finite.check("about", about)?;
         Requirement::Finite.check("amplitude", amplitude)?;
-        if !(about.abs() + amplitude.abs()).is_finite() {
-            let requirement = Requirement::InRange;
-            return Err(ParameterError { parameter: "amplitude", value: amplitude, requirement });
-        }
+        let reach = about.abs() + amplitude.abs();
+        Requirement::InRange.require("amplitude", amplitude, reach.is_finite())?;
         let frequency = Requirement::NonNegative.check("frequency", frequency)?;
         Ok(Self { about, amplitude, frequency, clock: Clock::new(servo_rate)? })
     }

@@ -11,7 +11,8 @@ use crate::account::lends;
 ///
 /// With the gate of a surface ([`InContact`](lyapunov_core::InContact)) no contact inherits the credit of the free
 /// motion or the contact before it, and the controller acts as soon as this contact has given more than it absorbed.
-/// Debts stay. A position that is not a number counts as outside.
+/// Debts stay. A position that is not a number counts as outside. A loop that starts in contact opens the gate on its first
+/// tick, so a budget is forfeited there.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;

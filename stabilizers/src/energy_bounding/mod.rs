@@ -98,9 +98,7 @@ impl<V: Signal> EnergyBounding<V> {
     pub fn delayed(mut self, ticks: u32) -> Result<Self, ParameterError> {
         let times = V::Scalar::of(1.0 + f64::from(ticks));
         let Published { rise, release, .. } = self.band;
-        let within = |name, constant: V::Scalar| {
-            in_range(name, constant, constant / times, Requirement::Positive)
-        };
+        let within = |name, constant: V::Scalar| in_range(name, constant, constant / times);
         self.band.rise = within("energy-bounding c1", rise)?;
         self.band.release = within("energy-bounding c2", release)?;
         Ok(if ticks == 0 { self } else { self.with_bounded_fall() })
@@ -119,13 +117,14 @@ impl<V: Signal> EnergyBounding<V> {
         let damping = Requirement::NonNegative.check("device damping", damping)?;
         let period = Requirement::Positive.check("period", period)?;
         let burns = damping / period;
-        self.period = period;
-        self.band.burns = in_range("device damping", damping, burns, Requirement::NonNegative)?;
+        Requirement::InRange.require("device damping", damping, burns.finite())?;
+        (self.period, self.band.burns) = (period, burns);
         Ok(self)
     }
 
     /// The same algorithm with `β ≥ −c1` as well, which a late force needs besides constants of at most `b / (T (1 + d))`;
     /// [`delayed`](Self::delayed) does both.
+    #[must_use]
     pub fn with_bounded_fall(mut self) -> Self {
         self.band.fall = self.band.rise;
         self
@@ -141,7 +140,7 @@ impl<V: Signal> EnergyBounding<V, Tight<V::Scalar>> {
     /// As [`of_damping`](Self::of_damping).
     pub fn tight(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
         let slope = V::Scalar::of(2.0) * rate(damping, period)?;
-        let slope = in_range("device damping", damping, slope, Requirement::Positive)?;
+        let slope = in_range("device damping", damping, slope)?;
         Ok(Self::within(Tight { slope }, period))
     }
 }
@@ -165,7 +164,7 @@ fn kept<T: Scalar>(force: T, given: T, lost: T) -> T {
 fn rate<T: Scalar>(damping: T, period: T) -> Result<T, ParameterError> {
     let damping = Requirement::Positive.check("device damping", damping)?;
     let period = Requirement::Positive.check("period", period)?;
-    in_range("device damping", damping, damping / period, Requirement::Positive)
+    in_range("device damping", damping, damping / period)
 }
 
 impl<V: Signal, B> StabilizerExt for EnergyBounding<V, B> {}

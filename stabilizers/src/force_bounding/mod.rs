@@ -12,12 +12,12 @@ pub use reset::{FreshContact, KeptCredit};
 use core::marker::PhantomData;
 
 use lyapunov_core::{
-    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Signal,
-    Snapshot, Stabilizer,
+    Accumulator, Correction, ParameterError, Plain, PortSample, Scalar, Signal, Snapshot,
+    Stabilizer,
 };
 use nalgebra::{SMatrix, SVector};
 
-use crate::account::account_in_sum;
+use crate::account::{account_in_sum, budget};
 use crate::{LimitCredit, StabilizerExt};
 use pipe::Pipe;
 use reset::Reset;
@@ -105,12 +105,14 @@ impl<T: Scalar, D, R, A: Accumulator<T>, const N: usize> ForceBounding<T, D, R, 
     }
 
     /// The same bound without the reset: what free motion dissipates is kept, and may buy a burst.
+    #[must_use]
     pub fn keeping(self) -> ForceBounding<T, D, KeptCredit, A, N> {
         let Self { damping, energy, pipe, .. } = self;
         ForceBounding { damping, energy, pipe, reset: PhantomData }
     }
 
     /// The same bound with its energies summed in a `B`.
+    #[must_use]
     pub fn summed_in<B: Accumulator<T>>(self) -> ForceBounding<T, D, R, B, N> {
         let Self { damping, energy, pipe, reset } = self;
         ForceBounding { damping, energy: B::holding(energy.value()), pipe, reset }
@@ -125,9 +127,9 @@ where
     /// The same bound with `energy` more joules on its account.
     ///
     /// # Errors
-    /// `energy` below 0, infinite or NaN.
+    /// `energy` below 0, infinite or NaN, or more than the sum has room for.
     pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
-        self.energy.add(Requirement::NonNegative.check("budget", energy)?);
+        budget(energy, |energy| self.energy.book(energy))?;
         Ok(self)
     }
 }

@@ -7,7 +7,7 @@ pub trait Reset {
 }
 
 /// Reset of the account where no force acted, as published.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FreshContact;
 
 impl Reset for FreshContact {
@@ -15,7 +15,7 @@ impl Reset for FreshContact {
 }
 
 /// Account that keeps the energy dissipated in free motion.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct KeptCredit;
 
 impl Reset for KeptCredit {

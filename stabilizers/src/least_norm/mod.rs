@@ -9,7 +9,7 @@ use lyapunov_core::{
     Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
-use crate::account::account;
+use crate::account::{account, budget};
 use crate::{DampingLimit, LimitCredit, StabilizerExt};
 
 /// A safety filter on an energy: the least correction that keeps the next observed energy above a share of this one,
@@ -64,6 +64,7 @@ impl<T: Scalar, C> LeastNorm<T, C> {
 
 impl<T: Scalar, C, A: Accumulator<T>> LeastNorm<T, C, A> {
     /// The same filter with its energies summed in a `B`.
+    #[must_use]
     pub fn summed_in<B: Accumulator<T>>(self) -> LeastNorm<T, C, B> {
         let Self { observer, limit, decay } = self;
         LeastNorm { observer: observer.booking(), limit, decay }
@@ -72,9 +73,9 @@ impl<T: Scalar, C, A: Accumulator<T>> LeastNorm<T, C, A> {
     /// The same filter with `energy` more joules on its account.
     ///
     /// # Errors
-    /// `energy` below 0, infinite or NaN.
+    /// `energy` below 0, infinite or NaN, or more than the sum has room for.
     pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
-        self.observer.ledger.credit(Requirement::NonNegative.check("budget", energy)?);
+        budget(energy, |energy| self.observer.ledger.credit(energy))?;
         Ok(self)
     }
 }

@@ -70,6 +70,7 @@ impl<T: Scalar> PartLimits<T> {
     }
 
     /// The limits for a wrench that acts `ticks` periods late ([`DampingLimit::delayed`]).
+    #[must_use]
     pub fn delayed(self, ticks: u32) -> Self {
         let Self { translation, rotation } = self;
         Self { translation: translation.delayed(ticks), rotation: rotation.delayed(ticks) }

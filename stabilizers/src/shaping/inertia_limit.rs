@@ -45,21 +45,27 @@ use crate::{DampingLimit, Inertia, StabilizerExt};
 pub struct InertiaLimit<S, M, T> {
     stabilizer: S,
     inertia: M,
-    /// `cap / T`, 1/s.
+    /// `damping_cap / T`, 1/s.
     rate: DampingLimit<T>,
 }
 
 impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
-    /// `stabilizer` with at most the share `cap` of the damping that removes most in one tick of `period` s, for a
+    /// `stabilizer` with at most the share `damping_cap` of the damping that removes most in one tick of `period` s, for a
     /// mechanism of this `inertia`.
     ///
     /// # Errors
-    /// `cap` below 0 or NaN; `period` not above 0 and finite.
-    pub fn new(stabilizer: S, inertia: M, cap: T, period: T) -> Result<Self, ParameterError> {
-        Ok(Self { stabilizer, inertia, rate: rate(cap, period)? })
+    /// `damping_cap` below 0 or NaN; `period` not above 0 and finite.
+    pub fn new(
+        stabilizer: S,
+        inertia: M,
+        damping_cap: T,
+        period: T,
+    ) -> Result<Self, ParameterError> {
+        Ok(Self { stabilizer, inertia, rate: rate(damping_cap, period)? })
     }
 
     /// The limit for an effort that acts `ticks` periods late ([`DampingLimit::delayed`]).
+    #[must_use]
     pub fn delayed(self, ticks: u32) -> Self {
         Self { rate: self.rate.delayed(ticks), ..self }
     }
@@ -90,8 +96,8 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
     ///
     /// # Errors
     /// As [`new`](Self::new); the old ones stay.
-    pub fn set_cap(&mut self, cap: T, period: T) -> Result<(), ParameterError> {
-        self.rate = rate(cap, period)?;
+    pub fn set_cap(&mut self, damping_cap: T, period: T) -> Result<(), ParameterError> {
+        self.rate = rate(damping_cap, period)?;
         Ok(())
     }
 }

@@ -72,7 +72,8 @@ impl<S, T: Scalar> VelocityThreshold<S, T> {
 
 fn squared<T: Scalar>(velocity: T) -> Result<T, ParameterError> {
     let velocity = Requirement::NonNegative.check("velocity threshold", velocity)?;
-    Requirement::InRange.check("velocity threshold", velocity * velocity)
+    let square = velocity * velocity;
+    Requirement::InRange.require("velocity threshold", velocity, square.finite()).map(|()| square)
 }
 
 lyapunov_core::snapshot! {

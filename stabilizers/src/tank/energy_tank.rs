@@ -47,6 +47,7 @@ impl<T: Scalar> EnergyTank<T> {
     }
 
     /// The same tank with the published valve; it has no limit of power.
+    #[must_use]
     pub fn opening(self) -> EnergyTank<T, OpenValve> {
         EnergyTank { store: self.store, valve: OpenValve, energy: self.energy }
     }

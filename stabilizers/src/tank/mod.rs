@@ -97,6 +97,15 @@ impl<T: Scalar, C> Tank<T, C> {
     }
 }
 
+impl<T: Scalar, C, A: Accumulator<T>> Tank<T, C, A> {
+    /// The same tank with its energies summed in a `B`.
+    #[must_use]
+    pub fn summed_in<B: Accumulator<T>>(self) -> Tank<T, C, B> {
+        let Self { observer, room, power } = self;
+        Tank { observer: observer.booking(), room, power }
+    }
+}
+
 impl<T, C, A> StabilizerExt for Tank<T, C, A> {}
 
 impl<T: Scalar, C, A: Accumulator<T>> LimitCredit<T> for Tank<T, C, A> {

@@ -42,8 +42,8 @@ impl<T: Scalar> Valve<T> for BoundedValve {
     #[inline]
     fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T {
         let most = ((energy - store.floor).larger(T::of(0.0)) / period).smaller(store.power);
-        // Rounded down, so that the product of the share does not pass the floor.
-        let share = most / asked * (T::of(1.0) - T::of(2.0) * T::epsilon());
+        // Rounded down by more than the quotient, the product and two differences round: the floor holds.
+        let share = most / asked * (T::of(1.0) - T::of(4.0) * T::epsilon());
         T::choose(asked.above(most), share, T::of(1.0))
     }
 

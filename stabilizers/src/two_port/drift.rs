@@ -32,7 +32,7 @@ use crate::account::lends;
 /// Robots and Systems, 2010) and of Chawda, Ly Van Quang, O'Malley and Ryu (IEEE Haptics Symposium, 2014), as in public
 /// code that implements it; the answer `z` is derived here.
 ///
-/// The sample is a [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and
+/// The sample is an [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and
 /// out are flows. The reported correction is the stabilizer's alone.
 #[derive(Clone, Copy, Debug)]
 pub struct DriftCompensated<S, V: Signal> {
@@ -48,8 +48,8 @@ impl<S, V: Signal> DriftCompensated<S, V> {
     /// # Errors
     /// `speed` below 0 or NaN.
     pub fn new(stabilizer: S, speed: V::Scalar) -> Result<Self, ParameterError> {
-        let (impedance, drift) = (V::Scalar::of(0.0), V::zero());
-        let mut compensated = Self { stabilizer, speed: impedance, impedance, drift };
+        let zero = V::Scalar::of(0.0);
+        let mut compensated = Self { stabilizer, speed: zero, impedance: zero, drift: V::zero() };
         compensated.set_speed(speed)?;
         Ok(compensated)
     }

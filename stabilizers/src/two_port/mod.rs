@@ -43,7 +43,7 @@ use one_way::OneWay;
 /// that implements it; the held account above is derived here from the same split.
 ///
 /// At the master motion comes in and a force goes out, and a sample is a sample. At the slave a force comes in and a
-/// velocity goes out to its controller: give it a [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a
+/// velocity goes out to its controller: give it an [`AdmittanceSample`](lyapunov_core::AdmittanceSample), and it adds a
 /// velocity, which leaves a position error behind; [`DriftCompensated`] takes it back. Energies that only grow need
 /// digits: what the sum of a side rounds off is not told and stays in its own `W`, so that in `f32` after a while nothing crosses
 /// any more, which is safe and useless: take `f64`.
@@ -81,11 +81,13 @@ impl<V: Signal> TwoPortSide<V> {
 impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> TwoPortSide<V, W, A> {
     /// The same side over the published, sampled work, `p(n) = f v T`, whose correction is taken to dissipate `α v² T`
     /// at once.
+    #[must_use]
     pub fn sampled(self) -> TwoPortSide<V, Sampled, A> {
         TwoPortSide { controller: self.controller.sampled() }
     }
 
     /// The same side with its account summed in a `B`.
+    #[must_use]
     pub fn summed_in<B: Accumulator<V::Scalar>>(self) -> TwoPortSide<V, W, B> {
         TwoPortSide { controller: self.controller.summed_in() }
     }

@@ -16,9 +16,8 @@ use crate::range::in_range;
 /// by itself, in √W. A channel that only delays waves, equally long each, has stored `∫ (u² + w²) / 2 ≥ 0` over what is
 /// under way, and is passive for whatever delay (Niemeyer and Slotine, IEEE Journal of Oceanic Engineering 16(1), 1991;
 /// this code's form as in public code that implements it). A delay that varies stretches and squeezes waves, and a lost
-/// wave that is replaced by the one before is carried twice: neither is passive by itself. All of this is of the power
-/// `F v` at the ticks; the work `F Δx` of an effort that is held is another as far as the motion leaves `v T`, and is not
-/// bounded.
+/// wave that is replaced by the one before is carried twice: neither is passive by itself. All of this holds for
+/// the power `F v` at the ticks; the work `F Δx` of a held effort differs from it by `F (Δx − v T)`, which is not bounded.
 ///
 /// At one end the flow is known and the wave that came in, at the other the effort: [`effort`](Self::effort) and
 /// [`flow`](Self::flow) give what is not. An end that answers its wave with `F = b v` sends none back; any other
@@ -43,15 +42,10 @@ impl<T: Scalar> WaveTransform<T> {
     /// The transformation of `impedance` N·s/m.
     ///
     /// # Errors
-    /// `impedance` not above 0 and finite, or twice of it out of range.
+    /// `impedance` not above 0 and finite, or so large that twice it is out of range.
     pub fn new(impedance: T) -> Result<Self, ParameterError> {
         let impedance = Requirement::Positive.check("wave impedance", impedance)?;
-        let root = in_range(
-            "wave impedance",
-            impedance,
-            (impedance + impedance).sqrt(),
-            Requirement::Positive,
-        )?;
+        let root = in_range("wave impedance", impedance, (impedance + impedance).sqrt())?;
         Ok(Self { impedance, root })
     }
 

@@ -6,7 +6,7 @@ use lyapunov_core::{ParameterError, Requirement, Scalar, Signal, Snapshot};
 ///
 /// **Guarantee** (after Niemeyer and Slotine; derived here): its gain is at most 1 at all frequencies, so that
 /// `Σ s² ≤ Σ u²` from `s = 0` on, and a passive channel stays passive with it. What it takes off the waves is position,
-/// too: send the integral of `u` beside it, or correct within the surplus `Σ (u² − s²) / 2`. A lost wave is one of 0.
+/// too: send the integral of `u` beside it, or correct within the surplus `Σ (u² − s²) / 2`. For a lost wave pass 0.
 ///
 /// A wave that is not finite is passed over.
 ///

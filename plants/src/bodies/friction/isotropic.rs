@@ -7,7 +7,7 @@ use nalgebra::SVector;
 
 use super::Stribeck;
 use super::series::System;
-use super::trajectory::Trajectory;
+use super::trajectory::{PIECES, Trajectory};
 use super::transition::set;
 use super::turning::Planar;
 use crate::{Body, Impedance, OperatedBody};
@@ -48,9 +48,6 @@ pub struct IsotropicFriction<T: Scalar, const N: usize> {
     heat: Compensated<T>,
 }
 
-/// Most pieces of a period.
-const PIECES: usize = 1024;
-
 /// The share of a period within which a device that would stop has stopped: 2⁻⁴⁴.
 const STOPPED: f64 = 5.684_341_886_080_802e-14;
 
@@ -85,7 +82,8 @@ impl<T: Scalar, const N: usize> IsotropicFriction<T, N> {
 
     /// The motion of one lane over `interval` s.
     fn glide(&self, lane: usize, effort: SVector<T, N>, interval: f64) -> Glide<N> {
-        let [rest, position, velocity] = [self.body.rest(), self.body.place(), self.body.pace()];
+        let [rest, position, velocity] =
+            [self.body.rest(), self.body.position(), self.body.velocity()];
         let of = |signal: SVector<T, N>| signal.map(|axis| axis.lane(lane));
         let Impedance { mass, damping, stiffness } = self.parts;
         let [mass, damping, stiffness] = [mass, damping, stiffness].map(|part| part.lane(lane));
@@ -229,12 +227,12 @@ impl<T: Scalar, const N: usize> Plant<SVector<T, N>> for IsotropicFriction<T, N>
     }
 
     fn advance(&mut self, effort: SVector<T, N>) -> PortSample<SVector<T, N>> {
-        let before = self.body.place();
+        let before = self.body.position();
         let mut moved = self.body;
         let sample = moved.advance(effort);
         let (mut position, mut velocity) = (sample.position, sample.velocity);
         let (mut displacement, mut heat) = (sample.displacement, T::zero());
-        let parts = [before, self.body.pace(), self.body.rest(), effort];
+        let parts = [before, self.body.velocity(), self.body.rest(), effort];
         for lane in 0..T::LANES {
             let finite = parts.iter().flatten().all(|axis| axis.lane(lane).is_finite());
             if !(finite && self.law.breakaway.lane(lane) > 0.0) {

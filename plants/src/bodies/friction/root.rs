@@ -9,8 +9,8 @@ pub(super) type Polynomial<T = f64> = [T; ORDER + 1];
 /// The first `τ` in `[0, 1]` at which the polynomial stops being positive; where it starts from 0, the first
 /// after it has been positive, or 0 if it never is.
 ///
-/// The Bernstein coefficients of an interval have at least as many changes of sign as the polynomial has roots in it,
-/// and as many if there is none or one (Lane and Riesenfeld 1981): with none the interval is passed over; with one the
+/// The Bernstein coefficients of an interval have at least as many changes of sign as the polynomial has roots in it; no change
+/// means no root, and one change one root (Lane and Riesenfeld 1981). With none the interval is passed over; with one the
 /// root is polished; with more the interval is halved. Conversion from powers of `τ` to Bernstein's form on `[0, 1]`
 /// makes no number grow, so no digits are lost. Two roots closer than `2^-DEEPEST` are a graze within rounding; they
 /// are passed over.

@@ -9,7 +9,7 @@ use super::series::{Series, System};
 use super::transition::Transitions;
 
 /// Most pieces of a period.
-const PIECES: usize = 1024;
+pub(super) const PIECES: usize = 1024;
 
 /// The share of a step in which nothing happens.
 const NEVER: f64 = 2.0;
