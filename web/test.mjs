@@ -12,6 +12,7 @@ import { fileURLToPath } from "node:url";
 
 import { Browser } from "../scripts/chromium.mjs";
 import { range } from "./page/curves.js";
+import { address } from "./page/scene.js";
 
 const [file, program, chromium, tools, ...only] = process.argv.slice(2);
 const root = join(dirname(fileURLToPath(import.meta.url)), "..");
@@ -307,8 +308,27 @@ async function paper(browser) {
   await closed(page);
 }
 
+/** Settings whose lines are looked at: the first one, a force that acts late, and a cap that its scene writes. */
+const SETTINGS = [{}, { effects: { delay: { ticks: 1 } } }, { effects: { delay: { ticks: 2 } }, stabilizer: { popc: { damping_cap: 0.3 } } }];
+
+/** Lines that the page offers in a language in each setting. */
+async function offered(browser, language) {
+  const [all, first] = [[], await opened(browser)];
+  const tree = await first.value("lyapunov.state.tree");
+  await closed(first);
+  for (const more of SETTINGS) {
+    const page = await opened(browser, {}, `#${address({ ...tree, ...more })}`);
+    all.push(...(await offeredHere(page, language)));
+    await closed(page);
+  }
+  for (const text of all) assert.ok(!/undefined|NaN/.test(text), text);
+  const held = { Rust: [/of_mass\(0\.5, .*\.delayed\(1\)/, /of_mass\(0\.3, MASS, PERIOD\)\?;/], C: [/of_mass\(0\.5, mass, period, 1,/, /of_mass\(0\.3, mass, period, 0,/], Python: [/cap=0\.5, delay=1\)/, /cap=0\.3, delay=0\)/] };
+  for (const limit of held[language]) assert.equal(all.filter((it) => limit.test(it)).length, 4, `${language}: ${limit}`);
+  return all;
+}
+
 /** Lines that the page offers in a language, under no stabilizer, POPC and LOLC with each candidate. */
-async function offered(page, language) {
+async function offeredHere(page, language) {
   const all = [];
   const copied = `(() => { [...document.querySelectorAll('#lines button')].find((it) => it.textContent.includes(" ${language} ")).click(); return document.querySelector('#code').textContent; })()`;
   await page.value("document.querySelector('#candidate').value = 'lolc-mass-spring-damper'; document.querySelector('#candidate').dispatchEvent(new Event('change'))");
@@ -326,24 +346,22 @@ async function offered(page, language) {
 
 /** Lines that the page offers: they compile without a warning. */
 async function lines(browser) {
-  const page = await opened(browser);
   const crate = join(folder, "lines");
   mkdirSync(join(crate, "src"), { recursive: true });
   writeFileSync(join(crate, "Cargo.toml"), `[workspace]\n[package]\nname = "lines"\nversion = "0.0.0"\nedition = "2024"\n[dependencies]\nlyapunov = { path = ${JSON.stringify(root)} }\n`);
-  const modules = (await offered(page, "Rust")).map((text, index) => `mod it${index} {\n${text}}\n`);
+  const modules = (await offered(browser, "Rust")).map((text, index) => `mod it${index} {\n${text}}\n`);
   writeFileSync(join(crate, "src/lib.rs"), `//! Lines from the page.\n#![allow(dead_code)]\n${modules.join("")}`);
   const env = { ...process.env, RUSTFLAGS: "-D warnings", CARGO_TARGET_DIR: process.env.CARGO_TARGET_DIR ?? join(root, "target") };
   execFileSync("cargo", ["check", "--quiet", "--manifest-path", join(crate, "Cargo.toml")], { env, stdio: "inherit" });
 
   const header = process.env.LYAPUNOV_H ?? join(root, "bindings/c/include");
-  for (const [index, text] of (await offered(page, "C")).entries()) {
+  for (const [index, text] of (await offered(browser, "C")).entries()) {
     const source = join(folder, `control-${index}.c`);
     writeFileSync(source, text);
     if (existsSync(join(header, "lyapunov.h"))) execFileSync("cc", ["-std=c99", "-Wall", "-Wextra", "-Werror", "-fsyntax-only", "-I", header, source], { stdio: "inherit" });
     else if (index === 0) console.log("SKIPPED: the C lines: there is no bindings/c/include/lyapunov.h");
   }
-  for (const text of await offered(page, "Python")) execFileSync("python3", ["-c", "import sys; compile(sys.stdin.read(), 'control.py', 'exec')"], { input: text });
-  await closed(page);
+  for (const text of await offered(browser, "Python")) execFileSync("python3", ["-c", "import sys; compile(sys.stdin.read(), 'control.py', 'exec')"], { input: text });
 }
 
 /** Wide and narrow, light and dark: nothing sticks out, nothing is asked for, axe-core finds nothing serious. */
