@@ -3,10 +3,11 @@
 import { draw } from "./curves.js";
 import { Engine, LIVE, RUN, inside } from "./engine.js";
 import { Family } from "./family.js";
+import { hands } from "./hand.js";
 import { Loops, SEEN } from "./loops.js";
 import { StabilityMap } from "./map.js";
 import { ink, onScheme } from "./paint.js";
-import { PRESETS } from "./presets.js";
+import { PRESETS, list } from "./presets.js";
 import { address, bare, changed, ofAddress, toml } from "./scene.js";
 import { wire } from "./share.js";
 import { fill, moved } from "./sliders.js";
@@ -82,7 +83,7 @@ function choose(candidate) {
 
 // The frame.
 
-let [stage, loops, last, cost] = [null, null, 0, 0];
+let [stage, loops, place, last, cost] = [null, null, () => {}, 0, 0];
 
 function frame(now) {
   requestAnimationFrame(frame);
@@ -205,33 +206,6 @@ function hear({ data }) {
   else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, remedy);
 }
 
-function presets() {
-  for (const preset of PRESETS) {
-    const button = document.createElement("button");
-    Object.assign(button, { type: "button", textContent: preset.name, id: preset.id });
-    button.addEventListener("click", () => start(preset));
-    $("presets").append(button);
-    if (!preset.claims) continue;
-    const part = document.createElement("article");
-    const go = document.createElement("button");
-    Object.assign(go, { type: "button", textContent: `See ${preset.name.toLowerCase()}` });
-    go.addEventListener("click", () => {
-      start(preset);
-      $("stage").scrollIntoView({ behavior: "smooth" });
-    });
-    const head = document.createElement("h3");
-    head.textContent = preset.name;
-    const said = document.createElement("p");
-    said.textContent = preset.said;
-    const list = document.createElement("dl");
-    for (const [claim, seen] of preset.claims) {
-      for (const [tag, text] of [["dt", claim], ["dd", seen]]) list.append(Object.assign(document.createElement(tag), { textContent: text }));
-    }
-    part.append(head, said, list, go);
-    $("claims").append(part);
-  }
-}
-
 function start(preset) {
   $("said").textContent = preset.said;
   state.under = preset.shows ?? "none";
@@ -273,43 +247,6 @@ function opened(name, text) {
   } catch (error) {
     $("done").textContent = error.message.replaceAll("the scene", () => name);
   }
-}
-
-// The hand.
-
-function place() {
-  const mm = (loops.hand - loops.surface) * 1e3;
-  const text = loops.hasWall ? `${Math.abs(mm).toFixed(1)} mm ${mm > 0 ? "into" : "before"} the wall` : `${mm.toFixed(1)} mm`;
-  for (const [key, to] of [["aria-valuenow", mm.toFixed(1)], ["aria-valuetext", text]]) $("wall").setAttribute(key, to);
-}
-
-function reach(to) {
-  loops.reach(to);
-  $("tip").hidden = loops.held;
-  place();
-}
-
-function hands() {
-  const canvas = $("wall");
-  let held = null;
-  canvas.addEventListener("pointerdown", (event) => {
-    reach(loops.hand);
-    held = { x: event.clientX, hand: loops.hand };
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener("pointermove", (event) => held && reach(held.hand + stage.way(event.clientX - held.x)));
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
-  canvas.addEventListener("keydown", (event) => {
-    const by = event.shiftKey ? 0.002 : 0.0005;
-    const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: loops.surface - 1, End: loops.surface + 1 }[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    reach(to);
-  });
-  $("again").addEventListener("click", () => {
-    loops.letGo();
-    place();
-  });
 }
 
 /** Everything that is drawn once is drawn again where its box or its colours change. */
@@ -377,8 +314,8 @@ async function begin(module, source) {
   show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
   choices();
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
-  presets();
-  hands();
+  list({ buttons: $("presets"), claims: $("claims") }, start, () => $("stage").scrollIntoView({ behavior: "smooth" }));
+  place = hands({ canvas: $("wall"), tip: $("tip"), again: $("again") }, stage, loops);
   wire({ $, engine, now: () => ({ tree: shown(), name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
   share();

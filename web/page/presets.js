@@ -50,3 +50,25 @@ export const PRESETS = [
       ["LOLC takes less energy", "no: it takes more, as it acts later"]],
   },
 ];
+
+/** A button for each preset, and the claims of those of the paper; `start` takes a preset, `look` then shows its loops. */
+export function list({ buttons, claims }, start, look) {
+  const made = (tag, about) => Object.assign(document.createElement(tag), about);
+  for (const preset of PRESETS) {
+    const button = made("button", { type: "button", textContent: preset.name, id: preset.id });
+    button.addEventListener("click", () => start(preset));
+    buttons.append(button);
+    if (!preset.claims) continue;
+    const part = made("article");
+    const go = made("button", { type: "button", textContent: `See ${preset.name.toLowerCase()}` });
+    go.addEventListener("click", () => {
+      start(preset);
+      look();
+    });
+    const said = preset.claims.flatMap(([claim, seen]) => [made("dt", { textContent: claim }), made("dd", { textContent: seen })]);
+    const all = made("dl");
+    all.append(...said);
+    part.append(made("h3", { textContent: preset.name }), made("p", { textContent: preset.said }), all, go);
+    claims.append(part);
+  }
+}
