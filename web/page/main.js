@@ -112,8 +112,12 @@ function look(at) {
 
 let [show, family, map, later] = [() => {}, null, null, 0];
 
+/** The newest question of each kind. */
+const asked = {};
+
 function ask(kind, about) {
   told += 1;
+  asked[kind] = told;
   worker.postMessage({ id: told, kind, ...about });
 }
 
@@ -199,6 +203,8 @@ function remedy(set) {
 }
 
 function hear({ data }) {
+  // What was on its way when the scene changed is of the scene before.
+  if (data.id !== asked[data.kind]) return;
   if (data.kind === "family") family.hear(data);
   if (data.kind === "map") map.hear(data);
   if (data.kind !== "explain") return;
