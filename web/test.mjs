@@ -63,6 +63,8 @@ async function rows(browser) {
 /** The verdicts of loops by their names, as the command tells them of a scene. */
 const told = (path, names) => JSON.parse(lyapunov("compare", path, "--stabilizers", names.join(","), "--json")).rows.map((it) => it.verdict);
 const cards = (page) => page.value("[...document.querySelectorAll('#verdicts .card')].map((it) => it.dataset.name)");
+/** Chooses the candidate of LOLC. */
+const credit = (page, name) => page.value(`(() => { const it = document.querySelector("#candidate"); it.value = "${name}"; it.dispatchEvent(new Event("change")); })()`);
 /** Drops files, each a name and a text. */
 const drop = (page, files) =>
   page.value(`(() => { const data = new DataTransfer();
@@ -240,8 +242,7 @@ async function shared(browser) {
 /** What is taken along is the loop that is shown: files, an address under any choice, a scene's own stabilizer. */
 async function taken(browser) {
   const page = await opened(browser);
-  const choose = (name) => page.value(`(() => { const it = document.querySelector('#candidate'); it.value = "${name}"; it.dispatchEvent(new Event("change")); })()`);
-  await choose("lolc-spring");
+  await credit(page, "lolc-spring");
   await page.value("document.querySelector('#why-of button[data-index=\"2\"]').click()");
   const path = join(folder, "taken.toml");
   writeFileSync(path, await saved(page, "#download"));
@@ -249,7 +250,7 @@ async function taken(browser) {
   assert.equal(await saved(page, "#download-rows"), lyapunov("run", path, "--csv", "-", "--quiet"));
   await page.until("location.hash.includes('lolc-spring')");
   const [hash, shown] = [await page.value("location.hash"), await verdicts(page)];
-  await choose("lolc-mass-spring-damper");
+  await credit(page, "lolc-mass-spring-damper");
   assert.notDeepEqual(await verdicts(page), shown);
   await page.until("location.hash.includes('lolc-mass-spring-damper')");
   // An address that is pasted into the same tab.
@@ -313,14 +314,18 @@ async function refused(browser) {
   await cut.close();
 }
 
-/** The presets of the paper: the verdicts and the numbers that the page says. */
+/** The presets of the paper: the verdicts and the numbers that the page says, also where another candidate was chosen before. */
 async function paper(browser) {
   const page = await opened(browser);
-  for (const [id, stem] of [["figure-6", "paper-8k"], ["figure-8", "paper-50k"]]) {
+  const figures = [["figure-6", "paper-8k", 0], ["figure-7", "paper-8k", 2], ["figure-8", "paper-50k", 1], ["figure-9", "paper-50k", 2]];
+  for (const [id, stem, explained] of figures) {
+    await credit(page, "lolc-spring");
     await page.value(`document.querySelector("#${id}").click()`);
     const shown = await verdicts(page);
     const known = ["none", "popc", "lolc"].map((name) => JSON.parse(lyapunov("run", `scenes/${stem}-${name}.toml`, "--json")).verdict);
     assert.deepEqual(shown, known, id);
+    assert.equal((await cards(page))[2], "lolc-mass-spring-damper", id);
+    assert.equal(await page.value("document.querySelector('#why-of [aria-pressed=\"true\"]').dataset.index"), String(explained), id);
   }
   await closed(page);
 }
@@ -348,13 +353,13 @@ async function offered(browser, language) {
 async function offeredHere(page, language) {
   const all = [];
   const copied = `(() => { [...document.querySelectorAll('#lines button')].find((it) => it.textContent.includes(" ${language} ")).click(); return document.querySelector('#code').textContent; })()`;
-  await page.value("document.querySelector('#candidate').value = 'lolc-mass-spring-damper'; document.querySelector('#candidate').dispatchEvent(new Event('change'))");
+  await credit(page, "lolc-mass-spring-damper");
   for (const index of [0, 1, 2]) {
     await page.value(`document.querySelector('#why-of button[data-index="${index}"]').click()`);
     all.push(await page.value(copied));
   }
   for (const name of ["lolc-device-damping", "lolc-spring"]) {
-    await page.value(`document.querySelector('#candidate').value = "${name}"; document.querySelector('#candidate').dispatchEvent(new Event("change"))`);
+    await credit(page, name);
     all.push(await page.value(copied));
   }
   assert.ok(new Set(all).size >= 4, `${language}: too few different loops`);

@@ -16,9 +16,11 @@ import { digits, tell } from "./why.js";
 import { work } from "./worker.js";
 
 const $ = (id) => document.getElementById(id);
-const CANDIDATES = { "lolc-mass-spring-damper": "the wall's damper", "lolc-device-damping": "the device's damper", "lolc-spring": "a spring" };
+/** The paper's own candidate. */
+const OWN = "lolc-mass-spring-damper";
+const CANDIDATES = { [OWN]: "the wall's damper", "lolc-device-damping": "the device's damper", "lolc-spring": "a spring" };
 /** What the page shows: the scene, the candidate of LOLC, the loop that is explained, what the curves are of. */
-const state = { tree: PRESETS[0].scene, candidate: "lolc-mass-spring-damper", under: "none", look: "live" };
+const state = { tree: PRESETS[0].scene, candidate: OWN, under: "none", look: "live" };
 let [engine, worker, words, told] = [null, null, [], 0];
 const names = () => ["none", "popc", state.candidate];
 const TITLES = { none: "no stabilizer", popc: "POPC" };
@@ -214,9 +216,9 @@ function hear({ data }) {
 
 function start(preset) {
   $("said").textContent = preset.said;
-  state.under = preset.shows ?? "none";
+  // What the page says of a figure is of the paper's own candidate.
+  Object.assign(state, { tree: preset.scene, under: preset.shows ?? "none" }, preset.claims && { candidate: OWN });
   look(preset.look);
-  state.tree = preset.scene;
   update();
   loops.letGo();
   place();
