@@ -12,7 +12,9 @@ export class Family {
     this.begin();
   }
 
-  begin() {
+  /** Expects the runs of a scene; `start`: how far it begins from its rest, m. */
+  begin(start = 0) {
+    this.start = start;
     this.runs = [];
     this.fresh = true;
   }
@@ -52,20 +54,28 @@ export class Family {
     canvas.className = "spark";
     canvas.setAttribute("aria-hidden", "true");
     row.insertCell().append(canvas);
-    this.runs.push([canvas, run]);
-    spark(canvas, run);
+    // What grows is out of any picture that holds all of it: there its beginning sets the scale.
+    const most = Math.max(this.start, widest(run, run.verdict === 2 ? 40 : Infinity), 1e-6);
+    this.runs.push([canvas, run, most]);
+    spark(canvas, run, most);
   }
 
   draw() {
-    for (const [canvas, run] of this.runs) spark(canvas, run);
+    for (const it of this.runs) spark(...it);
   }
 }
 
-function spark(canvas, { rows, verdict }) {
+/** The largest |x| of the first `count` rows. */
+function widest({ rows }, count) {
+  let most = 0;
+  for (let at = RUN.x; at < Math.min(rows.length, count * RUN.width); at += RUN.width) most = Math.max(most, Math.abs(rows[at]));
+  return most;
+}
+
+function spark(canvas, { rows, verdict }, most) {
   const { context, width, height } = sheet(canvas);
   const colours = ink();
   const many = rows.length / RUN.width;
-  const most = Math.max(...Array.from({ length: Math.min(many, 40) }, (_, index) => Math.abs(rows[index * RUN.width + RUN.x])), 1e-6);
   const points = [];
   const by = Math.max(1, Math.floor(many / 400));
   for (let at = 0; at < many; at += by) {

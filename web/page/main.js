@@ -170,7 +170,9 @@ function update() {
     keep();
     $("why-said").textContent = "…";
     ask("explain", { scene, name: state.under });
-    family.begin();
+    const { operator, initial } = state.tree;
+    // In a space these are lists: there the runs alone set the scale.
+    family.begin(Math.abs((initial?.position ?? 0) - (operator?.rest ?? 0)) || 0);
     ask("family", { scene });
   }, 120);
   return true;
