@@ -182,6 +182,35 @@ async function reasons(browser) {
   await closed(page);
 }
 
+/** A cap that a remedy writes stands in the scene: the page says so for as long as it does, and takes it back. */
+async function caps(browser) {
+  const page = await opened(browser);
+  const cap = "stabilizer.popc.damping_cap = 0.5";
+  const said = () => page.value("document.querySelector('#said').textContent");
+  const press = () => page.value(`[...document.querySelectorAll('.remedy')].find((it) => it.textContent.startsWith("${cap}")).click()`);
+  const back = () => page.value("document.querySelector('#said button').click()");
+  const before = await page.value("lyapunov.scene()");
+  await page.until("document.querySelector('.remedy')");
+  const first = "a damping_cap here is the first that holds, not the best";
+  const path = join(folder, "cap.toml");
+  writeFileSync(path, before);
+  assert.ok(lyapunov("explain", path).includes(first));
+  assert.ok((await page.value("document.querySelector('#remedies').textContent.toLowerCase()")).includes(first));
+  await press();
+  assert.ok((await said()).includes(`${cap}.`) && /stays when the delay moves/.test(await said()), await said());
+  await back();
+  assert.equal(await page.value("lyapunov.scene()"), before);
+  assert.equal(await said(), "");
+  await page.until("document.querySelector('.remedy')");
+  await press();
+  await slide(page, "effects.delay.ticks", 0.15);
+  assert.equal((await verdicts(page))[1], "grows");
+  assert.ok(/damping_cap = 0.5, which stays/.test(await said()), await said());
+  await back();
+  assert.equal((await verdicts(page))[1], "swinging");
+  await closed(page);
+}
+
 /** The hand by mouse and by keys, and the loops under it. */
 async function hand(browser) {
   const page = await opened(browser);
@@ -418,7 +447,7 @@ async function book(browser) {
 
 const browser = new Browser(chromium);
 try {
-  for (const check of [ranges, words, rows, dropped, maps, family, reasons, hand, frames, shared, taken, refused, paper, lines, looks, book]) {
+  for (const check of [ranges, words, rows, dropped, maps, family, reasons, caps, hand, frames, shared, taken, refused, paper, lines, looks, book]) {
     if (only.length && !only.includes(check.name)) continue;
     const began = performance.now();
     await check(browser);

@@ -8,11 +8,11 @@ import { Loops, SEEN } from "./loops.js";
 import { StabilityMap } from "./map.js";
 import { ink, onScheme } from "./paint.js";
 import { PRESETS, list } from "./presets.js";
-import { address, bare, changed, ofAddress, toml } from "./scene.js";
+import { address, bare, changed, ofAddress, toml, value } from "./scene.js";
 import { wire } from "./share.js";
 import { fill, moved } from "./sliders.js";
 import { Stage } from "./stage.js";
-import { digits, tell } from "./why.js";
+import { digits, tell, written } from "./why.js";
 import { work } from "./worker.js";
 
 const $ = (id) => document.getElementById(id);
@@ -183,9 +183,28 @@ function take(tree, chosen = {}) {
   const before = { ...state };
   Object.assign(state, { tree }, chosen);
   const runs = update();
-  if (runs) $("said").textContent = "";
+  if (runs) say("");
   else Object.assign(state, before);
   return runs;
+}
+
+/** Says what was done, and that a cap in the scene stays; `before`, the state without it, is offered back. */
+function say(text, before) {
+  const [name] = Object.keys(state.tree.stabilizer ?? {});
+  const key = `stabilizer.${name}.damping_cap`;
+  const cap = value(state.tree, key);
+  const all = `${text}${cap === undefined ? "" : ` The scene holds ${toml({ damping_cap: cap }).trim()}, which stays when the delay moves.`}`;
+  const said = $("said");
+  // Not told anew on each step of a slider.
+  if (said.firstChild?.data === all && !before) return;
+  said.textContent = all;
+  if (!before && cap === undefined) return;
+  const button = Object.assign(document.createElement("button"), { type: "button", textContent: before ? "undo" : "take it out" });
+  button.addEventListener("click", () => {
+    take(before?.tree ?? changed(state.tree, key, undefined), before);
+    said.focus();
+  });
+  said.append(" ", button);
 }
 
 /** The loop that a scene names by its stabilizer, and the candidate; the one without where it names another than the three. */
@@ -201,9 +220,10 @@ const shown = () => bare(JSON.parse(engine.text("read", `${state.under}\n${toml(
 /** Applies a remedy: keys of the scene; those of a stabilizer choose the loop to look at. */
 function remedy(set) {
   const isNamed = Object.keys(set).some((key) => key.startsWith("stabilizer"));
+  const before = { ...state };
   let tree = isNamed ? changed(state.tree, "stabilizer", undefined) : state.tree;
   for (const [key, to] of Object.entries(set)) tree = changed(tree, key, to);
-  take(tree, isNamed ? named(tree) : {});
+  if (take(tree, isNamed ? named(tree) : {})) say(`Written: ${written(set)}.`, before);
 }
 
 function hear({ data }) {
@@ -252,7 +272,7 @@ function opened(name, text) {
     look("run");
     loops.letGo();
     const other = Object.keys(tree.stabilizer ?? {}).filter(() => chosen.under === "none");
-    $("said").textContent = `The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}`;
+    say(`The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}`);
     $("done").textContent = `${name} is open.`;
   } catch (error) {
     $("done").textContent = error.message.replaceAll("the scene", () => name);
@@ -305,7 +325,7 @@ function share() {
   const candidate = CANDIDATES[page?.candidate] ? page.candidate : state.candidate;
   const under = ["none", "popc", candidate].includes(page?.under) ? page.under : "none";
   if (!take(tree, page ? { candidate, under } : named(tree))) return keep();
-  $("said").textContent = "The scene of this address.";
+  say("The scene of this address.");
   loops.letGo();
   if (page?.look === "run" || page?.look === "live" && loops.held) look(page.look);
 }

@@ -19,6 +19,9 @@ const cell = (row, text, tag = "td") => {
 
 export const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)))).replaceAll("-", "−");
 
+/** The keys of a remedy with their values. */
+export const written = (set) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
+
 /** The sentence on a run, where the hint of the command has none. */
 function sentence(hint, told, name) {
   if (hint) return hint.replace(/^why\s+/, "").replace(/^./, (first) => first.toUpperCase()) + ".";
@@ -65,12 +68,17 @@ function remedies(place, told, take) {
     button.type = "button";
     button.className = "remedy";
     const name = document.createElement("b");
-    name.textContent = Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
+    name.textContent = written(set);
     const late = set.servo_rate && told.groups.delay_ticks;
     const felt = peak ? `peak force ${digits(peak)} N, off the wall's own force by ${digits(error)} N` : "no force acts: the wall is not touched any more";
     what.textContent = `${verdict}: ${felt}${late ? `; its delay is then ${digits((1e3 * late) / set.servo_rate)} ms, as many ticks as before` : ""}`;
     button.append(name, what);
     button.addEventListener("click", () => take(set));
     place.append(button);
+  }
+  if (told.remedies.some(({ set }) => /\.damping_cap/.test(written(set)))) {
+    const best = document.createElement("p");
+    best.textContent = "A damping_cap here is the first that holds, not the best: see lyapunov tune.";
+    place.append(best);
   }
 }
