@@ -177,8 +177,11 @@ async function reasons(browser) {
   const remedies = JSON.parse(lyapunov("explain", path, "--json")).remedies;
   const sets = await page.value("[...document.querySelectorAll('.remedy b')].map((it) => it.textContent)");
   assert.deepEqual(sets, remedies.map(({ set }) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ")));
-  await page.value("document.querySelector('.remedy').click()");
+  await page.value("document.querySelector('.remedy').focus()");
+  await page.key("Enter");
   assert.equal((await verdicts(page))[0], remedies[0].verdict);
+  await page.until("document.querySelector('#why-said').textContent.length > 1");
+  assert.equal(await page.value("document.activeElement.id"), "why-said");
   await closed(page);
 }
 

@@ -224,6 +224,8 @@ function remedy(set) {
   let tree = isNamed ? changed(state.tree, "stabilizer", undefined) : state.tree;
   for (const [key, to] of Object.entries(set)) tree = changed(tree, key, to);
   if (take(tree, isNamed ? named(tree) : {})) say(`Written: ${written(set)}.`, before);
+  // The button that was pressed is about to vanish, and the focus with it.
+  $("why-said").focus();
 }
 
 function hear({ data }) {
