@@ -339,10 +339,14 @@ async function refused(browser) {
   const cut = await opened(browser, {}, "#duration=%2");
   assert.ok((await cut.value("document.querySelector('#fault').textContent")).includes("cut"));
   assert.equal((await verdicts(cut)).length, 3);
-  const sphere = readFileSync(join(root, "scenes/sphere.toml"), "utf8");
-  await drop(cut, [["sphere.toml", sphere]]);
-  await cut.until("document.querySelector('#done').textContent.includes('sphere.toml is open')");
-  assert.ok(await cut.value("[...document.querySelectorAll('#lines button')].every((it) => it.disabled)"));
+  const exact = `velocity = "exact"\n${readFileSync(join(root, "scenes/paper-8k-none.toml"), "utf8")}`;
+  const scenes = ["sphere", "hold", "press-1khz", "filter-cutoff"].map((name) => [`${name}.toml`, readFileSync(join(root, `scenes/${name}.toml`), "utf8"), true]);
+  for (const [name, text, isOff] of [["plain.toml", exact.replace(/.*\n/, ""), false], ["exact.toml", exact, true], ["grip.toml", readFileSync(join(root, "scenes/grip.toml"), "utf8"), false], ...scenes]) {
+    await drop(cut, [[name, text]]);
+    await cut.until(`document.querySelector('#done').textContent.includes('${name} is open')`);
+    const off = await cut.value("[...document.querySelectorAll('#lines button')].map((it) => it.disabled && it.title !== '')");
+    assert.deepEqual(off, [isOff, isOff, isOff], name);
+  }
   await cut.close();
 }
 

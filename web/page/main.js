@@ -130,6 +130,14 @@ function keep() {
   history.replaceState(null, "", `#${address({ ...tree, page: { candidate, under, look } })}`);
 }
 
+const NO_LINES = "There are lines for a wall on a line that answers on every tick, with a plain difference as velocity, held work and a plain ledger.";
+
+/** Whether the lines that can be copied make the loop of a scene with all its defaults. */
+function hasLines({ environment, environment_rate: rate, servo_rate: own, effects, velocity, space, stabilizer }) {
+  const [it] = Object.values(stabilizer ?? {});
+  return environment?.wall && !space && (rate ?? own) === own && !effects?.filter && !velocity && (!it || it.work === "held" && it.ledger === "plain");
+}
+
 /** Takes the state to all parts of the page; tells whether its scene runs. */
 function update() {
   try {
@@ -155,11 +163,10 @@ function update() {
   show(state.tree);
   state.stale = true;
   map.show(state.tree, names(), title);
-  const [own] = Object.values(shown().stabilizer ?? {});
-  const isTold = state.tree.environment?.wall && !state.tree.space && (!own || own.work === "held" && own.ledger === "plain");
+  const isTold = hasLines(shown());
   for (const button of $("lines").children) {
     button.disabled = !isTold;
-    button.title = isTold ? "" : "There are lines for a wall on a line only, with held work and a plain ledger.";
+    button.title = isTold ? "" : NO_LINES;
   }
   for (const button of $("why-of").children) {
     const name = names()[button.dataset.index];
