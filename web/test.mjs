@@ -348,6 +348,15 @@ async function refused(browser) {
     assert.deepEqual(off, [isOff, isOff, isOff], name);
   }
   await cut.close();
+  const stays = await opened(browser);
+  await drop(stays, [["link.toml", readFileSync(join(root, "scenes/link.toml"), "utf8")]]);
+  await stays.until("document.querySelector('#done').textContent === 'link.toml is open.'");
+  const at = () => stays.value("document.querySelector('input[name=\"operator.mass\"]').value");
+  const [place, scene] = [await at(), await stays.value("lyapunov.scene()")];
+  await slide(stays, "operator.mass", 0);
+  assert.notEqual(await stays.value("document.querySelector('#fault').textContent"), "");
+  assert.deepEqual([await at(), await stays.value("lyapunov.scene()")], [place, scene]);
+  await closed(stays);
 }
 
 /** The presets of the paper: the verdicts and the numbers that the page says, also where another candidate was chosen before. */

@@ -77,11 +77,7 @@ function card(index) {
   return it;
 }
 
-function choose(candidate) {
-  if (state.under === state.candidate) state.under = candidate;
-  state.candidate = candidate;
-  update();
-}
+const choose = (candidate) => take(state.tree, { candidate, under: state.under === state.candidate ? candidate : state.under });
 
 // The frame.
 
@@ -190,9 +186,15 @@ function take(tree, chosen = {}) {
   const before = { ...state };
   Object.assign(state, { tree }, chosen);
   const runs = update();
-  if (runs) say("");
-  else Object.assign(state, before);
-  return runs;
+  if (runs) {
+    say("");
+    return true;
+  }
+  Object.assign(state, before);
+  // What was moved goes back to what runs.
+  show(state.tree);
+  $("candidate").value = state.candidate;
+  return false;
 }
 
 /** Says what was done, and that a cap in the scene stays; `before`, the state without it, is offered back. */
