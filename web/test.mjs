@@ -262,6 +262,13 @@ async function shared(browser) {
   await drop(other, [[log, readFileSync(join(root, log), "utf8")]]);
   await other.until("document.querySelector('#done').textContent.includes('is a log')");
   assert.equal((await other.value("document.querySelector('#code').textContent")).trim(), lyapunov("observe", log).trim());
+  await drop(other, [["broken.toml", "duration = 1\nservo_rate = -1"]]);
+  await other.until("document.querySelector('#done').textContent.includes('broken.toml:2:')");
+  assert.ok(await other.value("document.querySelector('#code').hidden"), "what the observer said of another file stands below");
+  await other.value("document.querySelector('#copy-address').click(); 0");
+  await other.until("document.querySelector('#done').textContent !== ''");
+  await slide(other, "device.mass", 0.4);
+  assert.equal(await other.value("document.querySelector('#done').textContent"), "");
   await drop(other, ["motion-file.toml", "motion-file.csv"].map((name) => [name, readFileSync(join(root, "scenes", name), "utf8")]));
   await other.until("document.querySelector('#done').textContent.includes('motion-file.toml is open')");
   await other.until("document.querySelectorAll('#members tbody tr').length > 5 && !document.querySelector('#fault').textContent", 60);

@@ -134,6 +134,12 @@ function hasLines({ environment, environment_rate: rate, servo_rate: own, effect
   return environment?.wall && !space && (rate ?? own) === own && !effects?.filter && !velocity && (!it || it.work === "held" && it.ledger === "plain");
 }
 
+/** Takes away what was copied or observed before. */
+function clear() {
+  $("code").hidden = true;
+  $("done").textContent = "";
+}
+
 /** Takes the state to all parts of the page; tells whether its scene runs. */
 function update() {
   try {
@@ -155,7 +161,7 @@ function update() {
   cards();
   place();
   $("candidate").value = state.candidate;
-  $("code").hidden = true;
+  clear();
   show(state.tree);
   state.stale = true;
   map.show(state.tree, names(), title);
@@ -270,16 +276,17 @@ function open(files) {
 
 /** Opens a scene, or observes a log. */
 function opened(name, text) {
+  clear();
   try {
     if (!/^\s*duration\s*=/m.test(text) && /[,;\t]/.test(text.split("\n", 1)[0])) {
-      $("code").hidden = false;
       $("code").textContent = engine.text("observed", `${name}\n${text}`);
+      $("code").hidden = false;
       $("done").textContent = `${name} is a log: below is what the observer says of it.`;
       return;
     }
     const tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
     const chosen = named(tree);
-    if (!take(tree, chosen)) return;
+    if (!take(tree, chosen)) throw new Error($("fault").textContent);
     look("run");
     loops.letGo();
     const other = Object.keys(tree.stabilizer ?? {}).filter(() => chosen.under === "none");
