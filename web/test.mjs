@@ -346,6 +346,9 @@ async function refused(browser) {
   const cut = await opened(browser, {}, "#duration=%2");
   assert.ok((await cut.value("document.querySelector('#fault').textContent")).includes("cut"));
   assert.equal((await verdicts(cut)).length, 3);
+  await cut.until("location.hash.includes('servo_rate')");
+  await cut.value("location.hash = '#duration=%2'; 0");
+  await cut.until("location.hash.includes('servo_rate') && document.querySelector('#fault').textContent.includes('cut')");
   const exact = `velocity = "exact"\n${readFileSync(join(root, "scenes/paper-8k-none.toml"), "utf8")}`;
   const scenes = ["sphere", "hold", "press-1khz", "filter-cutoff"].map((name) => [`${name}.toml`, readFileSync(join(root, `scenes/${name}.toml`), "utf8"), true]);
   for (const [name, text, isOff] of [["plain.toml", exact.replace(/.*\n/, ""), false], ["exact.toml", exact, true], ["grip.toml", readFileSync(join(root, "scenes/grip.toml"), "utf8"), false], ...scenes]) {

@@ -337,6 +337,7 @@ function share() {
     shared = ofAddress(location.hash);
   } catch {
     $("fault").textContent = "The address holds no scene: it may have been cut where it was copied.";
+    keep();
   }
   if (!shared) return;
   const { page, ...tree } = shared;
