@@ -218,6 +218,8 @@ async function caps(browser) {
 async function hand(browser) {
   const page = await opened(browser);
   const at = () => page.value("Number(document.querySelector('#wall').getAttribute('aria-valuenow'))");
+  // By itself at first.
+  await page.until("document.querySelector('#wall').getAttribute('aria-valuetext').endsWith('into the wall')");
   const wall = await page.place("#wall");
   await page.mouse("mouseMoved", wall.x, wall.y);
   await page.mouse("mousePressed", wall.x, wall.y, { button: "left", buttons: 1, clickCount: 1 });

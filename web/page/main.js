@@ -81,13 +81,18 @@ const choose = (candidate) => take(state.tree, { candidate, under: state.under =
 
 // The frame.
 
-let [stage, loops, place, last, cost] = [null, null, () => {}, 0, 0];
+let [stage, loops, place, last, cost, placed] = [null, null, () => {}, 0, 0, 0];
 
 function frame(now) {
   requestAnimationFrame(frame);
   const began = performance.now();
   loops.forward(Math.min(0.1, (now - last) / 1e3));
   last = now;
+  // Often enough for whoever listens while the hand leads by itself.
+  if (!loops.touched && now - placed > 500) {
+    placed = now;
+    place();
+  }
   stage.draw(loops.hand, names().map((name, index) => ({ name: title(name), colour: colour(name), ...loops.seen(index) })));
   if (state.look === "live") {
     const series = loops.lanes.map(({ rows }, index) => ({ rows, columns: LIVE, colour: colour(names()[index]), tame: loops.tame(index) }));
