@@ -1,6 +1,7 @@
 // The three loops under the hand.
 
 import { LIVE } from "./engine.js";
+import { isCalm } from "./paint.js";
 
 /** Where the hand rests, and how far it moves until someone takes it, m. */
 export const REST = -0.006;
@@ -92,7 +93,7 @@ export class Loops {
 
   /** Until someone takes the hand it presses and lets go by itself. */
   lead(seconds) {
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    if (isCalm()) return;
     this.led += seconds;
     this.hand = this.surface + REST + 0.5 * LED * (1 - Math.cos((2 * Math.PI * this.led) / 4));
   }

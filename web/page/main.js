@@ -6,7 +6,7 @@ import { Family } from "./family.js";
 import { hands } from "./hand.js";
 import { Loops, SEEN } from "./loops.js";
 import { StabilityMap } from "./map.js";
-import { ink, onScheme } from "./paint.js";
+import { ink, isCalm, onScheme } from "./paint.js";
 import { PRESETS, list } from "./presets.js";
 import { address, bare, changed, ofAddress, toml, value } from "./scene.js";
 import { wire } from "./share.js";
@@ -368,7 +368,7 @@ async function begin(module, source) {
   show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
   choices();
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
-  list({ buttons: $("presets"), claims: $("claims") }, start, () => $("stage").scrollIntoView({ behavior: "smooth" }));
+  list({ buttons: $("presets"), claims: $("claims") }, start, () => $("stage").scrollIntoView({ behavior: isCalm() ? "auto" : "smooth" }));
   place = hands({ canvas: $("wall"), tip: $("tip"), again: $("again") }, stage, loops);
   wire({ $, engine, now: () => ({ tree: shown(), name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
