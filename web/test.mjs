@@ -123,6 +123,33 @@ async function maps(browser) {
   await closed(page);
 }
 
+/** The map moves the sliders where there is one, and not where it is pale. */
+async function steps(browser) {
+  const page = await opened(browser);
+  await mapped(page);
+  const scene = () => page.value("lyapunov.scene()");
+  const touch = async () => {
+    const at = await page.place("#map");
+    await page.click(at.x, at.y);
+    await page.value("document.querySelector('#map').focus()");
+    await page.key("ArrowLeft");
+    return scene();
+  };
+  const before = await scene();
+  const moved = await touch();
+  assert.notEqual(moved, before);
+  const same = "document.querySelector('#map-y')";
+  await page.value(`${same}.value = document.querySelector('#map-x').value; ${same}.dispatchEvent(new Event("change"))`);
+  assert.equal(await touch(), moved, "both axes are the same");
+  await page.value(`${same}.value = "environment.wall.damping"; ${same}.dispatchEvent(new Event("change"))`);
+  await mapped(page);
+  await slide(page, "effects.delay.ticks", 0.2);
+  await page.until("document.querySelector('#map-said').textContent.includes('without further effects')");
+  const late = await scene();
+  assert.equal(await touch(), late, "there is no map of a late force");
+  await closed(page);
+}
+
 /** Sliders change the words, and the words are those of `compare` on the same scene. */
 async function words(browser) {
   const page = await opened(browser);
@@ -475,7 +502,7 @@ async function book(browser) {
 
 const browser = new Browser(chromium);
 try {
-  for (const check of [ranges, words, rows, dropped, maps, family, reasons, caps, hand, frames, shared, taken, refused, paper, lines, looks, book]) {
+  for (const check of [ranges, words, rows, dropped, maps, steps, family, reasons, caps, hand, frames, shared, taken, refused, paper, lines, looks, book]) {
     if (only.length && !only.includes(check.name)) continue;
     const began = performance.now();
     await check(browser);
