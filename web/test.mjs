@@ -12,6 +12,7 @@ import { fileURLToPath } from "node:url";
 
 import { Browser } from "../scripts/chromium.mjs";
 import { range } from "./page/curves.js";
+import { thinned } from "./page/loops.js";
 import { address } from "./page/scene.js";
 
 const [file, program, chromium, tools, ...only] = process.argv.slice(2);
@@ -363,6 +364,19 @@ async function ranges() {
   }
 }
 
+/** Rows of a fast loop are thinned, and no peak is lost: the least and the largest of each column are those of all rows. */
+async function thin() {
+  const rows = Float64Array.from({ length: 5 * 47 }, (_, index) => Math.sin(index * index) * (index % 5 + 1));
+  const kept = thinned(rows, 10);
+  assert.equal(kept.length, 5 * 10);
+  for (let column = 0; column < 5; column += 1) {
+    const of = (all) => [...all].filter((_, index) => index % 5 === column);
+    for (const end of [Math.min, Math.max]) assert.equal(end(...of(kept)), end(...of(rows)));
+    for (const end of [Math.min, Math.max]) assert.equal(end(...of(kept).slice(-2)), end(...of(rows).slice(40)));
+  }
+  assert.equal(thinned(rows, 2), rows);
+}
+
 /** An address or a file that the page cannot run leaves what it shows, and lines are offered only where they say what runs. */
 async function refused(browser) {
   const page = await opened(browser, {}, "#scalar=%22f32%22&duration=1");
@@ -502,7 +516,7 @@ async function book(browser) {
 
 const browser = new Browser(chromium);
 try {
-  for (const check of [ranges, words, rows, dropped, maps, steps, family, reasons, caps, hand, frames, shared, taken, refused, paper, lines, looks, book]) {
+  for (const check of [ranges, thin, words, rows, dropped, maps, steps, family, reasons, caps, hand, frames, shared, taken, refused, paper, lines, looks, book]) {
     if (only.length && !only.includes(check.name)) continue;
     const began = performance.now();
     await check(browser);
