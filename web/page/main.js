@@ -182,6 +182,7 @@ function update() {
   clearTimeout(later);
   later = setTimeout(() => {
     keep();
+    if (framed()) return;
     $("why-said").textContent = "…";
     ask("explain", { scene, name: state.under });
     const { operator, initial } = state.tree;
@@ -354,7 +355,11 @@ function share() {
   if (page?.look === "run" || page?.look === "live" && loops.held) look(page.look);
 }
 
+/** Whether the page stands inside another, as in the book: there it shows the loops and their setting, and nothing else. */
+const framed = () => self !== top;
+
 async function begin(module, source) {
+  document.documentElement.classList.toggle("framed", framed());
   engine = await Engine.of(module);
   words = engine.lines("verdicts");
   stage = new Stage($("wall"));
@@ -367,6 +372,7 @@ async function begin(module, source) {
     take(moves.reduce((tree, [slider, number]) => moved(tree, slider, number), state.tree)));
   show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
   choices();
+  $("alone").addEventListener("click", () => ($("alone").firstChild.href = location.href));
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
   list({ buttons: $("presets"), claims: $("claims") }, start, () => $("stage").scrollIntoView({ behavior: isCalm() ? "auto" : "smooth" }));
   place = hands({ canvas: $("wall"), tip: $("tip"), again: $("again") }, stage, loops);

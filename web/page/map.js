@@ -50,6 +50,8 @@ export class StabilityMap {
   }
 
   renew(always) {
+    // A map that is not shown needs no runs.
+    if (!this.canvas.clientWidth) return;
     const [x, y] = this.sliders;
     if (x.key === y.key) {
       // What is still being computed is of other axes.
