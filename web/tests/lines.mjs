@@ -9,7 +9,8 @@ import { address } from "../page/scene.js";
 import { closed, credit, folder, opened, root } from "./driver.mjs";
 
 /** Settings whose lines are looked at: the first one, a force that acts late, and a cap that its scene writes. */
-const SETTINGS = [{}, { effects: { delay: { ticks: 1 } } }, { effects: { delay: { ticks: 2 } }, stabilizer: { popc: { damping_cap: 0.3 } } }];
+const SETTINGS = [{}, { effects: { delay: { ticks: 1 } } },
+  { effects: { delay: { ticks: 2 } }, stabilizer: { popc: { damping_cap: 0.3 } } }];
 
 /** Lines that the page offers in a language in each setting. */
 async function offered(browser, language) {
@@ -22,7 +23,11 @@ async function offered(browser, language) {
     await closed(page);
   }
   for (const text of all) assert.ok(!/undefined|NaN/.test(text), text);
-  const held = { Rust: [/of_mass\(0\.5, .*\.delayed\(1\)/, /of_mass\(0\.3, MASS, PERIOD\)\?;/], C: [/of_mass\(0\.5, mass, period, 1,/, /of_mass\(0\.3, mass, period, 0,/], Python: [/cap=0\.5, delay=1\)/, /cap=0\.3, delay=0\)/] };
+  const held = {
+    Rust: [/of_mass\(0\.5, .*\.delayed\(1\)/, /of_mass\(0\.3, MASS, PERIOD\)\?;/],
+    C: [/of_mass\(0\.5, mass, period, 1,/, /of_mass\(0\.3, mass, period, 0,/],
+    Python: [/cap=0\.5, delay=1\)/, /cap=0\.3, delay=0\)/],
+  };
   for (const limit of held[language]) assert.equal(all.filter((it) => limit.test(it)).length, 4, `${language}: ${limit}`);
   return all;
 }

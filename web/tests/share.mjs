@@ -101,9 +101,11 @@ export async function refused(browser) {
   await cut.until("location.hash.includes('servo_rate')");
   await cut.value("location.hash = '#duration=%2'; 0");
   await cut.until("location.hash.includes('servo_rate') && document.querySelector('#fault').textContent.includes('cut')");
-  const exact = `velocity = "exact"\n${readFileSync(join(root, "scenes/paper-8k-none.toml"), "utf8")}`;
-  const scenes = ["sphere", "hold", "press-1khz", "filter-cutoff"].map((name) => [`${name}.toml`, readFileSync(join(root, `scenes/${name}.toml`), "utf8"), true]);
-  for (const [name, text, isOff] of [["plain.toml", exact.replace(/.*\n/, ""), false], ["exact.toml", exact, true], ["grip.toml", readFileSync(join(root, "scenes/grip.toml"), "utf8"), false], ...scenes]) {
+  const shipped = (name) => readFileSync(join(root, `scenes/${name}.toml`), "utf8");
+  const own = Object.fromEntries(["sphere", "hold", "press-1khz", "filter-cutoff"].map((name) => [name, shipped(name)]));
+  const other = { ...own, exact: `velocity = "exact"\n${shipped("paper-8k-none")}` };
+  for (const [stem, text] of Object.entries({ ...other, plain: shipped("paper-8k-none"), grip: shipped("grip") })) {
+    const [name, isOff] = [`${stem}.toml`, stem in other];
     await drop(cut, [[name, text]]);
     await cut.until(`document.querySelector('#done').textContent.includes('${name} is open')`);
     const off = await cut.value("[...document.querySelectorAll('#lines button')].map((it) => it.disabled && it.title !== '')");
