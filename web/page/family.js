@@ -1,6 +1,7 @@
 // All stabilizers that fit a setting, each with a small picture of its run.
 
 import { RUN } from "./engine.js";
+import { made } from "./made.js";
 import { ink, path, sheet } from "./paint.js";
 import { digits } from "./why.js";
 
@@ -22,14 +23,9 @@ export class Family {
   hear({ run, ends, refused }) {
     if (refused || ends) return;
     if (this.fresh) {
-      const head = document.createElement("thead");
-      const row = head.insertRow();
-      for (const name of ["stabilizer", "verdict", "rests after", "largest force", "position"]) {
-        const it = document.createElement("th");
-        Object.assign(it, { textContent: name, scope: "col" });
-        row.append(it);
-      }
-      this.table.replaceChildren(head, document.createElement("tbody"));
+      const names = ["stabilizer", "verdict", "rests after", "largest force", "position"];
+      const head = made("tr", {}, ...names.map((name) => made("th", { scope: "col" }, name)));
+      this.table.replaceChildren(made("thead", {}, head), made("tbody"));
       this.fresh = false;
     }
     this.row(run);
@@ -37,22 +33,16 @@ export class Family {
 
   row(run) {
     const row = this.table.tBodies[0].insertRow();
-    const name = document.createElement("th");
-    Object.assign(name, { scope: "row", textContent: run.name });
-    row.append(name);
+    row.append(made("th", { scope: "row" }, run.name));
     if (run.refused) {
       const it = row.insertCell();
       Object.assign(it, { colSpan: 4, textContent: run.refused.split("\n")[0] });
       return;
     }
-    const word = document.createElement("b");
-    Object.assign(word, { className: `word ${WORD[run.verdict]}`, textContent: this.words[run.verdict] });
-    row.insertCell().append(word);
+    row.insertCell().append(made("b", { className: `word ${WORD[run.verdict]}` }, this.words[run.verdict]));
     row.insertCell().textContent = Number.isNaN(run.settled) || run.verdict > 0 ? "–" : `${run.settled.toFixed(2)} s`;
     row.insertCell().textContent = run.verdict === 2 ? "–" : `${digits(run.peak)} N`;
-    const canvas = document.createElement("canvas");
-    canvas.className = "spark";
-    canvas.setAttribute("aria-hidden", "true");
+    const canvas = made("canvas", { className: "spark", ariaHidden: "true" });
     row.insertCell().append(canvas);
     // What grows is out of any picture that holds all of it: there its beginning sets the scale.
     const most = Math.max(this.start, widest(run, run.verdict === 2 ? 40 : Infinity), 1e-6);

@@ -5,6 +5,7 @@ import { Engine, LIVE, RUN, inside } from "./engine.js";
 import { Family } from "./family.js";
 import { hands } from "./hand.js";
 import { Loops, SEEN } from "./loops.js";
+import { button, made } from "./made.js";
 import { StabilityMap } from "./map.js";
 import { ink, isCalm, onScheme } from "./paint.js";
 import { PRESETS, list } from "./presets.js";
@@ -45,7 +46,7 @@ function cards() {
   [...place.children].forEach((it, index) => {
     const name = names()[index];
     const run = runs.get(name);
-    const word = it.querySelector(".word");
+    const word = it.querySelector("strong");
     word.textContent = words[run.verdict];
     word.className = `word ${["settles", "swinging", "grows", "short"][run.verdict]}`;
     const rests = run.verdict === 0 && run.settled >= 0 ? `at rest after ${run.settled.toFixed(2)} s, ` : "";
@@ -56,23 +57,13 @@ function cards() {
 }
 
 function card(index) {
-  const it = document.createElement("article");
-  it.className = `card ${["none", "popc", "lolc"][index]}`;
-  const head = document.createElement("h3");
-  head.textContent = title(names()[index]);
-  const [word, said] = [document.createElement("strong"), document.createElement("p")];
-  said.className = "told";
-  it.append(head, word, said);
-  word.className = "word";
+  const head = made("h3", {}, title(names()[index]));
+  const className = `card ${["none", "popc", "lolc"][index]}`;
+  const it = made("article", { className }, head, made("strong"), made("p", { className: "told" }));
   if (index === 2) {
-    const label = document.createElement("label");
-    label.textContent = "credits ";
-    const select = document.createElement("select");
-    select.id = "candidate";
-    for (const [name, text] of Object.entries(CANDIDATES)) select.append(new Option(text, name));
+    const select = made("select", { id: "candidate" }, ...Object.entries(CANDIDATES).map(([name, text]) => new Option(text, name)));
     select.addEventListener("change", () => choose(select.value));
-    label.append(select);
-    it.append(label);
+    it.append(made("label", {}, "credits ", select));
   }
   return it;
 }
@@ -131,12 +122,13 @@ function keep() {
   history.replaceState(null, "", `#${address({ ...tree, page: { candidate, under, look } })}`);
 }
 
-const NO_LINES = "There are lines for a wall on a line that answers on every tick, with a plain difference as velocity, held work and a plain ledger.";
+const NO_LINES = "There are lines for a wall on a line that answers on every tick, for plain differences, held work and a plain ledger.";
 
 /** Whether the lines that can be copied make the loop of a scene with all its defaults. */
 function hasLines({ environment, environment_rate: rate, servo_rate: own, effects, velocity, space, stabilizer }) {
   const [it] = Object.values(stabilizer ?? {});
-  return environment?.wall && !space && (rate ?? own) === own && !effects?.filter && !velocity && (!it || it.work === "held" && it.ledger === "plain");
+  const isPlain = !space && !velocity && !effects?.filter && (rate ?? own) === own;
+  return environment?.wall && isPlain && (!it || it.work === "held" && it.ledger === "plain");
 }
 
 /** Takes away what was copied or observed before. */
@@ -171,13 +163,13 @@ function update() {
   state.stale = true;
   map.show(state.tree, names(), title);
   const isTold = hasLines(shown());
-  for (const button of $("lines").children) {
-    button.disabled = !isTold;
-    button.title = isTold ? "" : NO_LINES;
+  for (const it of $("lines").children) {
+    it.disabled = !isTold;
+    it.title = isTold ? "" : NO_LINES;
   }
-  for (const button of $("why-of").children) {
-    const name = names()[button.dataset.index];
-    button.setAttribute("aria-pressed", String(name === state.under));
+  for (const it of $("why-of").children) {
+    const name = names()[it.dataset.index];
+    it.setAttribute("aria-pressed", String(name === state.under));
   }
   clearTimeout(later);
   later = setTimeout(() => {
@@ -214,18 +206,17 @@ function say(text, before) {
   const [name] = Object.keys(state.tree.stabilizer ?? {});
   const key = `stabilizer.${name}.damping_cap`;
   const cap = value(state.tree, key);
-  const all = `${text}${cap === undefined ? "" : ` The scene holds ${toml({ damping_cap: cap }).trim()}, which stays when the delay moves.`}`;
+  const holds = `The scene holds ${toml({ damping_cap: cap ?? 0 }).trim()}, which stays when the delay moves.`;
+  const all = cap === undefined ? text : `${text} ${holds}`;
   const said = $("said");
   // Not told anew on each step of a slider.
   if (said.firstChild?.data === all && !before) return;
   said.textContent = all;
   if (!before && cap === undefined) return;
-  const button = Object.assign(document.createElement("button"), { type: "button", textContent: before ? "undo" : "take it out" });
-  button.addEventListener("click", () => {
+  said.append(" ", button(before ? "undo" : "take it out", () => {
     take(before?.tree ?? changed(state.tree, key, undefined), before);
     said.focus();
-  });
-  said.append(" ", button);
+  }));
 }
 
 /** The loop that a scene names by its stabilizer, and the candidate; the one without where it names another than the three. */
@@ -320,20 +311,17 @@ function redraws() {
 /** The buttons of the loops, and the colours of the words. */
 function choices() {
   for (const [index, name] of ["no stabilizer", "POPC", "LOLC"].entries()) {
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
-    button.dataset.index = index;
-    button.addEventListener("click", () => {
+    const it = button(name, () => {
       state.under = names()[index];
       update();
     });
-    $("why-of").append(button);
+    it.dataset.index = index;
+    $("why-of").append(it);
   }
   for (const [index, word] of ["settles", "swinging", "grows", "short"].entries()) {
-    const it = Object.assign(document.createElement("li"), { textContent: words[index] });
-    it.className = word;
-    $("legend").append(it);
+    $("legend").append(made("li", { className: word }, words[index]));
   }
-  $("legend").append(Object.assign(document.createElement("li"), { className: "bound", textContent: "exact limit of the linear loop" }));
+  $("legend").append(made("li", { className: "bound" }, "exact limit of the linear loop"));
 }
 
 /** Takes the scene of the page's address, if it holds one. */

@@ -1,5 +1,7 @@
 // Scenes to start from: a desk-top device, and the paper's four figures with its claims.
 
+import { button, made } from "./made.js";
+
 const PAPER = {
   duration: 10, servo_rate: 100,
   operator: { mass: 0.1, damping: 0.2, stiffness: 50 },
@@ -53,22 +55,14 @@ export const PRESETS = [
 
 /** A button for each preset, and the claims of those of the paper; `start` takes a preset, `look` then shows its loops. */
 export function list({ buttons, claims }, start, look) {
-  const made = (tag, about) => Object.assign(document.createElement(tag), about);
   for (const preset of PRESETS) {
-    const button = made("button", { type: "button", textContent: preset.name, id: preset.id });
-    button.addEventListener("click", () => start(preset));
-    buttons.append(button);
+    buttons.append(Object.assign(button(preset.name, () => start(preset)), { id: preset.id }));
     if (!preset.claims) continue;
-    const part = made("article");
-    const go = made("button", { type: "button", textContent: `See ${preset.name.toLowerCase()}` });
-    go.addEventListener("click", () => {
+    const go = button(`See ${preset.name.toLowerCase()}`, () => {
       start(preset);
       look();
     });
-    const said = preset.claims.flatMap(([claim, seen]) => [made("dt", { textContent: claim }), made("dd", { textContent: seen })]);
-    const all = made("dl");
-    all.append(...said);
-    part.append(made("h3", { textContent: preset.name }), made("p", { textContent: preset.said }), all, go);
-    claims.append(part);
+    const said = preset.claims.flatMap(([claim, seen]) => [made("dt", {}, claim), made("dd", {}, seen)]);
+    claims.append(made("article", {}, made("h3", {}, preset.name), made("p", {}, preset.said), made("dl", {}, ...said), go));
   }
 }
