@@ -13,7 +13,7 @@ const [wasm, tools, out] = process.argv.slice(2);
 const { buildSync, transformSync } = await import(join(tools, "esbuild", "lib", "main.js")).then((it) => it.default ?? it);
 const page = join(dirname(fileURLToPath(import.meta.url)), "page");
 /** Bytes of the page as it is sent with gzip: what the lab takes, and a little more. */
-const MOST = 367_000;
+const MOST = 367_500;
 
 const bundle = buildSync({ entryPoints: [join(page, "main.js")], bundle: true, minify: true, format: "iife", target: "es2022", charset: "utf8", write: false });
 const program = bundle.outputFiles[0].text.trim().replaceAll("</script", "<\\/script");

@@ -1,6 +1,7 @@
 // All stabilizers that fit a setting, each with a small picture of its run.
 
 import { RUN } from "./engine.js";
+import { made } from "./made.js";
 import { ink, path, sheet } from "./paint.js";
 import { digits } from "./why.js";
 
@@ -12,7 +13,9 @@ export class Family {
     this.begin();
   }
 
-  begin() {
+  /** Expects the runs of a scene; `start`: how far it begins from its rest, m. */
+  begin(start = 0) {
+    this.start = start;
     this.runs = [];
     this.fresh = true;
   }
@@ -20,14 +23,9 @@ export class Family {
   hear({ run, ends, refused }) {
     if (refused || ends) return;
     if (this.fresh) {
-      const head = document.createElement("thead");
-      const row = head.insertRow();
-      for (const name of ["stabilizer", "verdict", "rests after", "largest force", "position"]) {
-        const it = document.createElement("th");
-        Object.assign(it, { textContent: name, scope: "col" });
-        row.append(it);
-      }
-      this.table.replaceChildren(head, document.createElement("tbody"));
+      const names = ["stabilizer", "verdict", "rests after", "largest force", "position"];
+      const head = made("tr", {}, ...names.map((name) => made("th", { scope: "col" }, name)));
+      this.table.replaceChildren(made("thead", {}, head), made("tbody"));
       this.fresh = false;
     }
     this.row(run);
@@ -35,37 +33,39 @@ export class Family {
 
   row(run) {
     const row = this.table.tBodies[0].insertRow();
-    const name = document.createElement("th");
-    Object.assign(name, { scope: "row", textContent: run.name });
-    row.append(name);
+    row.append(made("th", { scope: "row" }, run.name));
     if (run.refused) {
       const it = row.insertCell();
       Object.assign(it, { colSpan: 4, textContent: run.refused.split("\n")[0] });
       return;
     }
-    const word = document.createElement("b");
-    Object.assign(word, { className: `word ${WORD[run.verdict]}`, textContent: this.words[run.verdict] });
-    row.insertCell().append(word);
+    row.insertCell().append(made("b", { className: `word ${WORD[run.verdict]}` }, this.words[run.verdict]));
     row.insertCell().textContent = Number.isNaN(run.settled) || run.verdict > 0 ? "–" : `${run.settled.toFixed(2)} s`;
     row.insertCell().textContent = run.verdict === 2 ? "–" : `${digits(run.peak)} N`;
-    const canvas = document.createElement("canvas");
-    canvas.className = "spark";
-    canvas.setAttribute("aria-hidden", "true");
+    const canvas = made("canvas", { className: "spark", ariaHidden: "true" });
     row.insertCell().append(canvas);
-    this.runs.push([canvas, run]);
-    spark(canvas, run);
+    // What grows is out of any picture that holds all of it: there its beginning sets the scale.
+    const most = Math.max(this.start, widest(run, run.verdict === 2 ? 40 : Infinity), 1e-6);
+    this.runs.push([canvas, run, most]);
+    spark(canvas, run, most);
   }
 
   draw() {
-    for (const [canvas, run] of this.runs) spark(canvas, run);
+    for (const it of this.runs) spark(...it);
   }
 }
 
-function spark(canvas, { rows, verdict }) {
+/** The largest |x| of the first `count` rows. */
+function widest({ rows }, count) {
+  let most = 0;
+  for (let at = RUN.x; at < Math.min(rows.length, count * RUN.width); at += RUN.width) most = Math.max(most, Math.abs(rows[at]));
+  return most;
+}
+
+function spark(canvas, { rows, verdict }, most) {
   const { context, width, height } = sheet(canvas);
   const colours = ink();
   const many = rows.length / RUN.width;
-  const most = Math.max(...Array.from({ length: Math.min(many, 40) }, (_, index) => Math.abs(rows[index * RUN.width + RUN.x])), 1e-6);
   const points = [];
   const by = Math.max(1, Math.floor(many / 400));
   for (let at = 0; at < many; at += by) {

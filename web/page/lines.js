@@ -6,7 +6,8 @@ import { value } from "./scene.js";
 function numbers(tree, name) {
   const of = (key) => value(tree, key) ?? 0;
   const [delay, own] = [of("effects.delay.ticks"), value(tree, `stabilizer.${name.split("-")[0]}.damping_cap`)];
-  const isUsual = Math.abs(own / (0.5 * Math.tan(Math.PI / (4 * (delay + 1)))) - 1) < 1e-9;
+  // A cap that follows the delay is not written.
+  const isUsual = own === undefined || Math.abs(own / (0.5 * Math.tan(Math.PI / (4 * (delay + 1)))) - 1) < 1e-9;
   const [cap, late] = isUsual ? [0.5, delay] : [own, 0];
   const note = isUsual ? "half of m / T, less where the force is late" : "the scene's share of m / T";
   return {

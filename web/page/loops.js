@@ -1,6 +1,7 @@
 // The three loops under the hand.
 
 import { LIVE } from "./engine.js";
+import { isCalm } from "./paint.js";
 
 /** Where the hand rests, and how far it moves until someone takes it, m. */
 export const REST = -0.006;
@@ -12,6 +13,8 @@ const GONE = 1.2;
 export const SEEN = 3;
 const FELT = 0.12;
 const MOST = 4000;
+/** Groups of rows a second, at most. */
+const FINE = 500;
 
 export class Loops {
   constructor(engine) {
@@ -60,6 +63,11 @@ export class Loops {
     });
   }
 
+  /** Ticks whose rows are thinned to two: a picture of three seconds has fewer columns. */
+  get group() {
+    return Math.max(2, Math.floor(this.rate / FINE));
+  }
+
   /** Moves the hand to a place, m. */
   reach(to) {
     this.hand = this.surface + Math.max(-0.02, Math.min(0.02, to - this.surface));
@@ -85,14 +93,14 @@ export class Loops {
       for (let at = 0; at < rows.length; at += LIVE.width) rows[at] = began + at / LIVE.width / this.rate;
       const place = rows[rows.length - LIVE.width + LIVE.x];
       if (!this.isNear(place)) Object.assign(lane, { gone: GONE, fled: lane.fled + 1 });
-      lane.rows = joined(lane.rows, rows, this.since - SEEN);
+      lane.rows = joined(lane.rows, thinned(rows, this.group), this.since - SEEN);
     });
     this.before = this.hand;
   }
 
   /** Until someone takes the hand it presses and lets go by itself. */
   lead(seconds) {
-    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    if (isCalm()) return;
     this.led += seconds;
     this.hand = this.surface + REST + 0.5 * LED * (1 - Math.cos((2 * Math.PI * this.led) / 4));
   }
@@ -100,7 +108,7 @@ export class Loops {
   /** What is seen of a loop now: its place, the way and the largest force of late. */
   seen(index) {
     const { rows, gone, fled } = this.lanes[index];
-    const from = Math.max(0, rows.length - LIVE.width * Math.ceil(FELT * this.rate));
+    const from = Math.max(0, rows.length - LIVE.width * Math.ceil((2 * FELT * this.rate) / this.group));
     let [low, high, peak] = [Infinity, -Infinity, 0];
     for (let at = from; at < rows.length; at += LIVE.width) {
       low = Math.min(low, rows[at + LIVE.x]);
@@ -129,4 +137,22 @@ function joined(before, after, from) {
   all.set(before.subarray(first));
   all.set(after, before.length - first);
   return all;
+}
+
+/** Of each `group` rows the least and the largest of every column, so that no peak is lost. */
+export function thinned(rows, group) {
+  const { width } = LIVE;
+  const many = rows.length / width;
+  if (group <= 2) return rows;
+  const kept = new Float64Array(2 * width * Math.ceil(many / group));
+  for (let row = 0; row < many; row += 1) {
+    const low = 2 * width * Math.floor(row / group);
+    for (let column = 0; column < width; column += 1) {
+      const number = rows[row * width + column];
+      if (row % group === 0) kept[low + column] = kept[low + width + column] = number;
+      else if (number < kept[low + column]) kept[low + column] = number;
+      else if (number > kept[low + width + column]) kept[low + width + column] = number;
+    }
+  }
+  return kept;
 }

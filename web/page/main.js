@@ -3,21 +3,25 @@
 import { draw } from "./curves.js";
 import { Engine, LIVE, RUN, inside } from "./engine.js";
 import { Family } from "./family.js";
+import { hands } from "./hand.js";
 import { Loops, SEEN } from "./loops.js";
+import { button, made } from "./made.js";
 import { StabilityMap } from "./map.js";
-import { ink, onScheme } from "./paint.js";
-import { PRESETS } from "./presets.js";
-import { address, bare, changed, ofAddress, toml } from "./scene.js";
+import { ink, isCalm, onScheme } from "./paint.js";
+import { PRESETS, list } from "./presets.js";
+import { address, bare, changed, ofAddress, toml, value } from "./scene.js";
 import { wire } from "./share.js";
 import { fill, moved } from "./sliders.js";
 import { Stage } from "./stage.js";
-import { digits, tell } from "./why.js";
+import { digits, tell, written } from "./why.js";
 import { work } from "./worker.js";
 
 const $ = (id) => document.getElementById(id);
-const CANDIDATES = { "lolc-mass-spring-damper": "the wall's damper", "lolc-device-damping": "the device's damper", "lolc-spring": "a spring" };
+/** The paper's own candidate. */
+const OWN = "lolc-mass-spring-damper";
+const CANDIDATES = { [OWN]: "the wall's damper", "lolc-device-damping": "the device's damper", "lolc-spring": "a spring" };
 /** What the page shows: the scene, the candidate of LOLC, the loop that is explained, what the curves are of. */
-const state = { tree: PRESETS[0].scene, candidate: "lolc-mass-spring-damper", under: "none", look: "live" };
+const state = { tree: PRESETS[0].scene, candidate: OWN, under: "none", look: "live" };
 let [engine, worker, words, told] = [null, null, [], 0];
 const names = () => ["none", "popc", state.candidate];
 const TITLES = { none: "no stabilizer", popc: "POPC" };
@@ -42,7 +46,7 @@ function cards() {
   [...place.children].forEach((it, index) => {
     const name = names()[index];
     const run = runs.get(name);
-    const word = it.querySelector(".word");
+    const word = it.querySelector("strong");
     word.textContent = words[run.verdict];
     word.className = `word ${["settles", "swinging", "grows", "short"][run.verdict]}`;
     const rests = run.verdict === 0 && run.settled >= 0 ? `at rest after ${run.settled.toFixed(2)} s, ` : "";
@@ -53,42 +57,33 @@ function cards() {
 }
 
 function card(index) {
-  const it = document.createElement("article");
-  it.className = `card ${["none", "popc", "lolc"][index]}`;
-  const head = document.createElement("h3");
-  head.textContent = title(names()[index]);
-  const [word, said] = [document.createElement("strong"), document.createElement("p")];
-  said.className = "told";
-  it.append(head, word, said);
-  word.className = "word";
+  const head = made("h3", {}, title(names()[index]));
+  const className = `card ${["none", "popc", "lolc"][index]}`;
+  const it = made("article", { className }, head, made("strong"), made("p", { className: "told" }));
   if (index === 2) {
-    const label = document.createElement("label");
-    label.textContent = "credits ";
-    const select = document.createElement("select");
-    select.id = "candidate";
-    for (const [name, text] of Object.entries(CANDIDATES)) select.append(new Option(text, name));
+    const select = made("select", { id: "candidate" }, ...Object.entries(CANDIDATES).map(([name, text]) => new Option(text, name)));
     select.addEventListener("change", () => choose(select.value));
-    label.append(select);
-    it.append(label);
+    it.append(made("label", {}, "credits ", select));
   }
   return it;
 }
 
-function choose(candidate) {
-  if (state.under === state.candidate) state.under = candidate;
-  state.candidate = candidate;
-  update();
-}
+const choose = (candidate) => take(state.tree, { candidate, under: state.under === state.candidate ? candidate : state.under });
 
 // The frame.
 
-let [stage, loops, last, cost] = [null, null, 0, 0];
+let [stage, loops, place, last, cost, placed] = [null, null, () => {}, 0, 0, 0];
 
 function frame(now) {
   requestAnimationFrame(frame);
   const began = performance.now();
   loops.forward(Math.min(0.1, (now - last) / 1e3));
   last = now;
+  // Often enough for whoever listens while the hand leads by itself.
+  if (!loops.touched && now - placed > 500) {
+    placed = now;
+    place();
+  }
   stage.draw(loops.hand, names().map((name, index) => ({ name: title(name), colour: colour(name), ...loops.seen(index) })));
   if (state.look === "live") {
     const series = loops.lanes.map(({ rows }, index) => ({ rows, columns: LIVE, colour: colour(names()[index]), tame: loops.tame(index) }));
@@ -111,8 +106,12 @@ function look(at) {
 
 let [show, family, map, later] = [() => {}, null, null, 0];
 
+/** The newest question of each kind. */
+const asked = {};
+
 function ask(kind, about) {
   told += 1;
+  asked[kind] = told;
   worker.postMessage({ id: told, kind, ...about });
 }
 
@@ -121,6 +120,21 @@ const TIP = "Drag, or use the arrow keys.";
 function keep() {
   const { tree, candidate, under, look } = state;
   history.replaceState(null, "", `#${address({ ...tree, page: { candidate, under, look } })}`);
+}
+
+const NO_LINES = "There are lines for a wall on a line that answers on every tick, for plain differences, held work and a plain ledger.";
+
+/** Whether the lines that can be copied make the loop of a scene with all its defaults. */
+function hasLines({ environment, environment_rate: rate, servo_rate: own, effects, velocity, space, stabilizer }) {
+  const [it] = Object.values(stabilizer ?? {});
+  const isPlain = !space && !velocity && !effects?.filter && (rate ?? own) === own;
+  return environment?.wall && isPlain && (!it || it.work === "held" && it.ledger === "plain");
+}
+
+/** Takes away what was copied or observed before. */
+function clear() {
+  $("code").hidden = true;
+  $("done").textContent = "";
 }
 
 /** Takes the state to all parts of the page; tells whether its scene runs. */
@@ -144,26 +158,28 @@ function update() {
   cards();
   place();
   $("candidate").value = state.candidate;
-  $("code").hidden = true;
+  clear();
   show(state.tree);
   state.stale = true;
   map.show(state.tree, names(), title);
-  const [own] = Object.values(shown().stabilizer ?? {});
-  const isTold = state.tree.environment?.wall && !state.tree.space && (!own || own.work === "held" && own.ledger === "plain");
-  for (const button of $("lines").children) {
-    button.disabled = !isTold;
-    button.title = isTold ? "" : "There are lines for a wall on a line only, with held work and a plain ledger.";
+  const isTold = hasLines(shown());
+  for (const it of $("lines").children) {
+    it.disabled = !isTold;
+    it.title = isTold ? "" : NO_LINES;
   }
-  for (const button of $("why-of").children) {
-    const name = names()[button.dataset.index];
-    button.setAttribute("aria-pressed", String(name === state.under));
+  for (const it of $("why-of").children) {
+    const name = names()[it.dataset.index];
+    it.setAttribute("aria-pressed", String(name === state.under));
   }
   clearTimeout(later);
   later = setTimeout(() => {
     keep();
+    if (framed()) return;
     $("why-said").textContent = "…";
     ask("explain", { scene, name: state.under });
-    family.begin();
+    const { operator, initial } = state.tree;
+    // In a space these are lists: there the runs alone set the scale.
+    family.begin(Math.abs((initial?.position ?? 0) - (operator?.rest ?? 0)) || 0);
     ask("family", { scene });
   }, 120);
   return true;
@@ -174,9 +190,33 @@ function take(tree, chosen = {}) {
   const before = { ...state };
   Object.assign(state, { tree }, chosen);
   const runs = update();
-  if (runs) $("said").textContent = "";
-  else Object.assign(state, before);
-  return runs;
+  if (runs) {
+    say("");
+    return true;
+  }
+  Object.assign(state, before);
+  // What was moved goes back to what runs.
+  show(state.tree);
+  $("candidate").value = state.candidate;
+  return false;
+}
+
+/** Says what was done, and that a cap in the scene stays; `before`, the state without it, is offered back. */
+function say(text, before) {
+  const [name] = Object.keys(state.tree.stabilizer ?? {});
+  const key = `stabilizer.${name}.damping_cap`;
+  const cap = value(state.tree, key);
+  const holds = `The scene holds ${toml({ damping_cap: cap ?? 0 }).trim()}, which stays when the delay moves.`;
+  const all = cap === undefined ? text : `${text} ${holds}`;
+  const said = $("said");
+  // Not told anew on each step of a slider.
+  if (said.firstChild?.data === all && !before) return;
+  said.textContent = all;
+  if (!before && cap === undefined) return;
+  said.append(" ", button(before ? "undo" : "take it out", () => {
+    take(before?.tree ?? changed(state.tree, key, undefined), before);
+    said.focus();
+  }));
 }
 
 /** The loop that a scene names by its stabilizer, and the candidate; the one without where it names another than the three. */
@@ -192,12 +232,17 @@ const shown = () => bare(JSON.parse(engine.text("read", `${state.under}\n${toml(
 /** Applies a remedy: keys of the scene; those of a stabilizer choose the loop to look at. */
 function remedy(set) {
   const isNamed = Object.keys(set).some((key) => key.startsWith("stabilizer"));
+  const before = { ...state };
   let tree = isNamed ? changed(state.tree, "stabilizer", undefined) : state.tree;
   for (const [key, to] of Object.entries(set)) tree = changed(tree, key, to);
-  take(tree, isNamed ? named(tree) : {});
+  if (take(tree, isNamed ? named(tree) : {})) say(`Written: ${written(set)}.`, before);
+  // The button that was pressed is about to vanish, and the focus with it.
+  $("why-said").focus();
 }
 
 function hear({ data }) {
+  // What was on its way when the scene changed is of the scene before.
+  if (data.id !== asked[data.kind]) return;
   if (data.kind === "family") family.hear(data);
   if (data.kind === "map") map.hear(data);
   if (data.kind !== "explain") return;
@@ -205,38 +250,11 @@ function hear({ data }) {
   else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, remedy);
 }
 
-function presets() {
-  for (const preset of PRESETS) {
-    const button = document.createElement("button");
-    Object.assign(button, { type: "button", textContent: preset.name, id: preset.id });
-    button.addEventListener("click", () => start(preset));
-    $("presets").append(button);
-    if (!preset.claims) continue;
-    const part = document.createElement("article");
-    const go = document.createElement("button");
-    Object.assign(go, { type: "button", textContent: `See ${preset.name.toLowerCase()}` });
-    go.addEventListener("click", () => {
-      start(preset);
-      $("stage").scrollIntoView({ behavior: "smooth" });
-    });
-    const head = document.createElement("h3");
-    head.textContent = preset.name;
-    const said = document.createElement("p");
-    said.textContent = preset.said;
-    const list = document.createElement("dl");
-    for (const [claim, seen] of preset.claims) {
-      for (const [tag, text] of [["dt", claim], ["dd", seen]]) list.append(Object.assign(document.createElement(tag), { textContent: text }));
-    }
-    part.append(head, said, list, go);
-    $("claims").append(part);
-  }
-}
-
 function start(preset) {
   $("said").textContent = preset.said;
-  state.under = preset.shows ?? "none";
+  // What the page says of a figure is of the paper's own candidate.
+  Object.assign(state, { tree: preset.scene, under: preset.shows ?? "none" }, preset.claims && { candidate: OWN });
   look(preset.look);
-  state.tree = preset.scene;
   update();
   loops.letGo();
   place();
@@ -255,61 +273,25 @@ function open(files) {
 
 /** Opens a scene, or observes a log. */
 function opened(name, text) {
+  clear();
   try {
     if (!/^\s*duration\s*=/m.test(text) && /[,;\t]/.test(text.split("\n", 1)[0])) {
-      $("code").hidden = false;
       $("code").textContent = engine.text("observed", `${name}\n${text}`);
+      $("code").hidden = false;
       $("done").textContent = `${name} is a log: below is what the observer says of it.`;
       return;
     }
     const tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
     const chosen = named(tree);
-    if (!take(tree, chosen)) return;
+    if (!take(tree, chosen)) throw new Error($("fault").textContent);
     look("run");
     loops.letGo();
     const other = Object.keys(tree.stabilizer ?? {}).filter(() => chosen.under === "none");
-    $("said").textContent = `The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}`;
+    say(`The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}`);
     $("done").textContent = `${name} is open.`;
   } catch (error) {
     $("done").textContent = error.message.replaceAll("the scene", () => name);
   }
-}
-
-// The hand.
-
-function place() {
-  const mm = (loops.hand - loops.surface) * 1e3;
-  const text = loops.hasWall ? `${Math.abs(mm).toFixed(1)} mm ${mm > 0 ? "into" : "before"} the wall` : `${mm.toFixed(1)} mm`;
-  for (const [key, to] of [["aria-valuenow", mm.toFixed(1)], ["aria-valuetext", text]]) $("wall").setAttribute(key, to);
-}
-
-function reach(to) {
-  loops.reach(to);
-  $("tip").hidden = loops.held;
-  place();
-}
-
-function hands() {
-  const canvas = $("wall");
-  let held = null;
-  canvas.addEventListener("pointerdown", (event) => {
-    reach(loops.hand);
-    held = { x: event.clientX, hand: loops.hand };
-    canvas.setPointerCapture(event.pointerId);
-  });
-  canvas.addEventListener("pointermove", (event) => held && reach(held.hand + stage.way(event.clientX - held.x)));
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
-  canvas.addEventListener("keydown", (event) => {
-    const by = event.shiftKey ? 0.002 : 0.0005;
-    const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: loops.surface - 1, End: loops.surface + 1 }[event.key];
-    if (to === undefined) return;
-    event.preventDefault();
-    reach(to);
-  });
-  $("again").addEventListener("click", () => {
-    loops.letGo();
-    place();
-  });
 }
 
 /** Everything that is drawn once is drawn again where its box or its colours change. */
@@ -329,20 +311,17 @@ function redraws() {
 /** The buttons of the loops, and the colours of the words. */
 function choices() {
   for (const [index, name] of ["no stabilizer", "POPC", "LOLC"].entries()) {
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
-    button.dataset.index = index;
-    button.addEventListener("click", () => {
+    const it = button(name, () => {
       state.under = names()[index];
       update();
     });
-    $("why-of").append(button);
+    it.dataset.index = index;
+    $("why-of").append(it);
   }
   for (const [index, word] of ["settles", "swinging", "grows", "short"].entries()) {
-    const it = Object.assign(document.createElement("li"), { textContent: words[index] });
-    it.className = word;
-    $("legend").append(it);
+    $("legend").append(made("li", { className: word }, words[index]));
   }
-  $("legend").append(Object.assign(document.createElement("li"), { className: "bound", textContent: "exact limit of the linear loop" }));
+  $("legend").append(made("li", { className: "bound" }, "exact limit of the linear loop"));
 }
 
 /** Takes the scene of the page's address, if it holds one. */
@@ -352,18 +331,23 @@ function share() {
     shared = ofAddress(location.hash);
   } catch {
     $("fault").textContent = "The address holds no scene: it may have been cut where it was copied.";
+    keep();
   }
   if (!shared) return;
   const { page, ...tree } = shared;
   const candidate = CANDIDATES[page?.candidate] ? page.candidate : state.candidate;
   const under = ["none", "popc", candidate].includes(page?.under) ? page.under : "none";
   if (!take(tree, page ? { candidate, under } : named(tree))) return keep();
-  $("said").textContent = "The scene of this address.";
+  say("The scene of this address.");
   loops.letGo();
   if (page?.look === "run" || page?.look === "live" && loops.held) look(page.look);
 }
 
+/** Whether the page stands inside another, as in the book: there it shows the loops and their setting, and nothing else. */
+const framed = () => self !== top;
+
 async function begin(module, source) {
+  document.documentElement.classList.toggle("framed", framed());
   engine = await Engine.of(module);
   words = engine.lines("verdicts");
   stage = new Stage($("wall"));
@@ -376,9 +360,10 @@ async function begin(module, source) {
     take(moves.reduce((tree, [slider, number]) => moved(tree, slider, number), state.tree)));
   show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
   choices();
+  $("alone").addEventListener("click", () => ($("alone").firstChild.href = location.href));
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
-  presets();
-  hands();
+  list({ buttons: $("presets"), claims: $("claims") }, start, () => $("stage").scrollIntoView({ behavior: isCalm() ? "auto" : "smooth" }));
+  place = hands({ canvas: $("wall"), tip: $("tip"), again: $("again") }, stage, loops);
   wire({ $, engine, now: () => ({ tree: shown(), name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
   share();

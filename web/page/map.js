@@ -16,20 +16,25 @@ const straight = (slider) => ({ ...slider, bend: false, off: undefined });
 
 export class StabilityMap {
   constructor({ canvas, x, y, under, said }, ask, move) {
-    Object.assign(this, { canvas, x, y, under, saidPlace: said, ask, move });
+    Object.assign(this, { canvas, x, y, under, saidPlace: said, ask, move, frame: canvas.closest(".frame") });
     for (const select of [x, y]) for (const it of AXES) select.append(new Option(it.label.toLowerCase(), it.key));
     x.value = "environment.wall.stiffness";
     y.value = "environment.wall.damping";
     this.image = document.createElement("canvas");
     this.image.width = this.image.height = COUNT;
     for (const select of [x, y, under]) select.addEventListener("change", () => this.renew(true));
-    canvas.addEventListener("click", (event) => this.step(...this.placeOf(event)));
-    canvas.addEventListener("keydown", (event) => this.key(event));
+    canvas.addEventListener("click", (event) => this.stands && this.step(...this.placeOf(event)));
+    canvas.addEventListener("keydown", (event) => this.stands && this.key(event));
     this.asked = "";
   }
 
   get sliders() {
     return [this.x, this.y].map((select) => straight(AXES.find((it) => it.key === select.value)));
+  }
+
+  /** Whether there is a map to move on, or one is being computed. */
+  get stands() {
+    return this.asked && !this.frame.classList.contains("pale");
   }
 
   /** Shows where a scene stands; computes the map again where anything but its two numbers changed. */
@@ -45,6 +50,8 @@ export class StabilityMap {
   }
 
   renew(always) {
+    // A map that is not shown needs no runs.
+    if (!this.canvas.clientWidth) return;
     const [x, y] = this.sliders;
     if (x.key === y.key) {
       // What is still being computed is of other axes.
@@ -82,7 +89,7 @@ export class StabilityMap {
   hear({ first, cells, took, limits, refused }) {
     if (!this.asked) return;
     if (refused) return this.fail(refused.split("\n")[0]);
-    this.canvas.closest(".frame").classList.remove("pale");
+    this.frame.classList.remove("pale");
     if (cells) {
       const colours = ink();
       const shades = [colours.settles, colours.swinging, colours.grows, colours.short].map(rgb);
@@ -106,7 +113,7 @@ export class StabilityMap {
 
   fail(reason) {
     this.saidPlace.textContent = reason;
-    this.canvas.closest(".frame").classList.add("pale");
+    this.frame.classList.add("pale");
     this.draw();
   }
 

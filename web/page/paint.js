@@ -19,6 +19,9 @@ export function onScheme(then) {
   });
 }
 
+/** Whether someone asked for less motion. */
+export const isCalm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+
 /** The context of a canvas that fills its box with whole pixels of the screen, and the box in CSS pixels. */
 export function sheet(canvas) {
   const { clientWidth: width, clientHeight: height } = canvas;

@@ -1,5 +1,7 @@
 // Scenes to start from: a desk-top device, and the paper's four figures with its claims.
 
+import { button, made } from "./made.js";
+
 const PAPER = {
   duration: 10, servo_rate: 100,
   operator: { mass: 0.1, damping: 0.2, stiffness: 50 },
@@ -50,3 +52,17 @@ export const PRESETS = [
       ["LOLC takes less energy", "no: it takes more, as it acts later"]],
   },
 ];
+
+/** A button for each preset, and the claims of those of the paper; `start` takes a preset, `look` then shows its loops. */
+export function list({ buttons, claims }, start, look) {
+  for (const preset of PRESETS) {
+    buttons.append(Object.assign(button(preset.name, () => start(preset)), { id: preset.id }));
+    if (!preset.claims) continue;
+    const go = button(`See ${preset.name.toLowerCase()}`, () => {
+      start(preset);
+      look();
+    });
+    const said = preset.claims.flatMap(([claim, seen]) => [made("dt", {}, claim), made("dd", {}, seen)]);
+    claims.append(made("article", {}, made("h3", {}, preset.name), made("p", {}, preset.said), made("dl", {}, ...said), go));
+  }
+}

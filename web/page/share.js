@@ -1,12 +1,11 @@
 // What one takes along: the address, the scene, its rows, lines for a loop of one's own.
 
 import { LANGUAGES } from "./lines.js";
+import { button, made } from "./made.js";
 import { toml } from "./scene.js";
 
 function save(name, text) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
-  link.download = name;
+  const link = made("a", { href: URL.createObjectURL(new Blob([text], { type: "text/plain" })), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1e3);
 }
@@ -32,16 +31,13 @@ export function wire({ $, engine, now, open }) {
   });
   $("download-rows").addEventListener("click", () => save("rows.csv", engine.text("rows", scene())));
   for (const { name, lines } of LANGUAGES) {
-    const button = document.createElement("button");
-    Object.assign(button, { type: "button", textContent: `copy the ${name} lines` });
-    button.addEventListener("click", () => {
+    $("lines").append(button(`copy the ${name} lines`, () => {
       const at = now();
       const text = lines(at.tree, at.name);
       $("code").hidden = false;
       $("code").textContent = text;
       copy(text, `The ${name} lines`, `: ${at.title}, the loop chosen under Why`);
-    });
-    $("lines").append(button);
+    }));
   }
   const read = async (files) => open(await Promise.all([...files].map(async (file) => ({ name: file.name, text: await file.text() }))));
   $("open").addEventListener("change", () => read($("open").files));

@@ -121,7 +121,8 @@ function arrow(c, x, y, lane, colours) {
   font(c, 12, 600);
   for (const [force, alpha] of [[lane.peak, 0.3], [lane.force, 1]]) {
     if (Math.abs(force) < 0.05) continue;
-    const end = x - long(force);
+    // The head stays in the picture.
+    const end = Math.max(Math.min(8, x), x - long(force));
     const head = Math.sign(x - end) * Math.min(7, Math.abs(end - x));
     c.globalAlpha = alpha;
     path(c, [[x, y], [end, y], [end + head, y - 4], [end, y], [end + head, y + 4]], colours.ink, 2.4);

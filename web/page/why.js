@@ -1,5 +1,7 @@
 // The explanation of a run: its sentence, its energies, its remedies as buttons.
 
+import { button, made } from "./made.js";
+
 /** The parts of a balance in the words of the command, in its order. */
 const PARTS = [
   ["hold", "in", "through the hold"], ["delay", "in", "through the delay"], ["filter", "in", "through the filter"],
@@ -11,13 +13,15 @@ const PARTS = [
 ];
 
 const cell = (row, text, tag = "td") => {
-  const it = document.createElement(tag);
-  it.textContent = text;
+  const it = made(tag, {}, text);
   row.append(it);
   return it;
 };
 
 export const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)))).replaceAll("-", "−");
+
+/** The keys of a remedy with their values. */
+export const written = (set) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
 
 /** The sentence on a run, where the hint of the command has none. */
 function sentence(hint, told, name) {
@@ -53,7 +57,7 @@ export function tell(parts, { name, sentence: hint, told }, take) {
 
 function remedies(place, told, take) {
   place.replaceChildren();
-  const note = document.createElement("p");
+  const note = made("p");
   place.append(note);
   if (!told.remedies.length) {
     note.textContent = { grows: "Nothing that was tried helps.", "too short": "" }[told.verdict] ?? "Nothing needs to: the run does not grow.";
@@ -61,16 +65,14 @@ function remedies(place, told, take) {
   }
   note.textContent = "Each by itself; all were run, and none grows.";
   for (const { set, verdict, peak_force_n: peak, force_error_rms_n: error } of told.remedies) {
-    const [button, what] = [document.createElement("button"), document.createElement("span")];
-    button.type = "button";
-    button.className = "remedy";
-    const name = document.createElement("b");
-    name.textContent = Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
     const late = set.servo_rate && told.groups.delay_ticks;
     const felt = peak ? `peak force ${digits(peak)} N, off the wall's own force by ${digits(error)} N` : "no force acts: the wall is not touched any more";
-    what.textContent = `${verdict}: ${felt}${late ? `; its delay is then ${digits((1e3 * late) / set.servo_rate)} ms, as many ticks as before` : ""}`;
-    button.append(name, what);
-    button.addEventListener("click", () => take(set));
-    place.append(button);
+    const what = `${verdict}: ${felt}${late ? `; its delay is then ${digits((1e3 * late) / set.servo_rate)} ms, as many ticks as before` : ""}`;
+    const it = Object.assign(button("", () => take(set)), { className: "remedy" });
+    it.append(made("b", {}, written(set)), made("span", {}, what));
+    place.append(it);
+  }
+  if (told.remedies.some(({ set }) => /\.damping_cap/.test(written(set)))) {
+    place.append(made("p", {}, "A damping_cap here is the first that holds, not the best: see lyapunov tune."));
   }
 }

@@ -4,17 +4,27 @@ import re
 
 from latex2mathml.converter import convert
 
-PARTS = re.compile(r"(^```.*?^```|`[^`\n]+`)|\$\$(.+?)\$\$|\$([^$\n]+)\$", re.MULTILINE | re.DOTALL)
+PARTS = re.compile(r"(^```.*?^```|`[^`\n]+`)|\$\$(.+?)\$\$|\$([^$\n]+)\$([,.;:)]?)", re.MULTILINE | re.DOTALL)
 
 
 def on_page_markdown(markdown, **_):
     def drawn(found):
-        listing, alone, inline = found.groups()
+        listing, alone, inline, after = found.groups()
         if listing:
             return listing
         if alone:
             return convert(alone.strip(), display="block")
-        # A line that begins with an element which Markdown does not know would become a block.
-        return f"<span>{convert(inline.strip())}</span>"
+        # A line that begins with an element which Markdown does not know would become a block. No sign stands alone in the next line.
+        return f'<span class="whole">{convert(inline.strip())}{after}</span>'
 
     return PARTS.sub(drawn, markdown)
+
+
+def on_page_content(html, **_):
+    """What may be wider than a narrow screen is scrolled by keys, too."""
+    return re.sub("<(pre><span></span><code|table|math)(?=>| [^>]*display=.block)", r'<\1 tabindex="0"', html)
+
+
+def on_post_template(output_content, template_name, **_):
+    """The page for what is not found, which MkDocs takes to stand at the root of a host."""
+    return re.sub(r'(href|src)="/', r'\1="', output_content) if template_name == "404.html" else output_content

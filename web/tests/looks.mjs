@@ -1,0 +1,80 @@
+// How the page and the book look.
+
+import assert from "node:assert/strict";
+import { dirname, join } from "node:path";
+
+import { range } from "../page/curves.js";
+import { thinned } from "../page/loops.js";
+import { closed, file, mapped, opened, serious } from "./driver.mjs";
+
+/** The range of the curves holds all of every bounded loop, whatever the others do. */
+export async function ranges() {
+  const columns = { value: 0, width: 1 };
+  const bounded = { rows: [-37, 2], columns, tame: true };
+  for (const grown of [[0, 1e9], [-1e9, 0], [-1e9, 1e9], [0, 0]]) {
+    const [low, high] = range([bounded, { rows: grown, columns, tame: false }], "value", 1, 0.05);
+    assert.ok(low < -37 && high > 2 && high - low < 110, `${low} to ${high} beside ${grown}`);
+  }
+}
+
+/** Rows of a fast loop are thinned, and no peak is lost: the least and the largest of each column are those of all rows. */
+export async function thin() {
+  const rows = Float64Array.from({ length: 5 * 47 }, (_, index) => Math.sin(index * index) * (index % 5 + 1));
+  const kept = thinned(rows, 10);
+  assert.equal(kept.length, 5 * 10);
+  for (let column = 0; column < 5; column += 1) {
+    const of = (all) => [...all].filter((_, index) => index % 5 === column);
+    for (const end of [Math.min, Math.max]) assert.equal(end(...of(kept)), end(...of(rows)));
+    for (const end of [Math.min, Math.max]) assert.equal(end(...of(kept).slice(-2)), end(...of(rows).slice(40)));
+  }
+  assert.equal(thinned(rows, 2), rows);
+}
+
+/** Wide and narrow, light and dark: nothing sticks out, nothing is asked for, axe-core finds nothing serious. */
+export async function looks(browser) {
+  for (const width of [1280, 360]) {
+    for (const scheme of ["light", "dark"]) {
+      const page = await opened(browser, { width, scheme, height: 900 });
+      await mapped(page);
+      await page.until("document.querySelectorAll('#members tbody tr').length > 10", 60);
+      const [wide, shown] = await page.value("[document.documentElement.scrollWidth, document.documentElement.clientWidth]");
+      assert.ok(wide <= shown, `${wide} pixels wide on ${shown}`);
+      assert.deepEqual(await serious(page), [], `${width} ${scheme}`);
+      await closed(page);
+    }
+  }
+}
+
+/** The height of what the frame of a chapter shows, and of the frame. */
+async function heights(page) {
+  const { frameTree } = await page.send("Page.getFrameTree");
+  const { executionContextId: contextId } = await page.send("Page.createIsolatedWorld", { frameId: frameTree.childFrames[0].frame.id });
+  const expression = "document.documentElement.dataset.ready === 'yes' ? [document.querySelector('main').getBoundingClientRect().bottom, innerHeight] : null";
+  for (let tries = 0; tries < 200; tries += 1) {
+    const { result } = await page.send("Runtime.evaluate", { expression, contextId, returnByValue: true });
+    if (result.value) return result.value;
+    await new Promise((done) => setTimeout(done, 50));
+  }
+  throw new Error("the page in the frame never began");
+}
+
+/** The chapters of the book: equations are drawn, frames show all of a loop, nothing fails or comes from elsewhere, and axe-core finds
+ *  nothing serious. */
+export async function book(browser) {
+  for (const [chapter, equations] of Object.entries({ index: 0, port: 4, ledger: 4, candidate: 4, "your-loop": 2 })) {
+    for (const [width, scheme] of [[1100, "light"], [1280, "dark"], [600, "dark"], [360, "light"]]) {
+      const at = `${chapter} ${width} ${scheme}`;
+      const page = await browser.open(`file://${join(dirname(dirname(file)), "book", `${chapter}.html`)}`, { width, scheme, height: 3000 });
+      await page.until("document.querySelector('iframe') !== null");
+      assert.ok(await page.value(`document.querySelectorAll('math').length >= ${equations}`), at);
+      assert.ok(await page.value("!document.querySelector('main, [role=main]').textContent.includes('$')"), at);
+      await page.place("iframe");
+      const [shown, tall] = await heights(page);
+      assert.ok(shown > 900 && shown < tall, `${at}: ${shown} pixels in a frame of ${tall}`);
+      assert.deepEqual(await serious(page), [], at);
+      const faults = page.faults().filter((it) => !it.startsWith("request: file://"));
+      assert.deepEqual(faults, [], at);
+      await page.close();
+    }
+  }
+}

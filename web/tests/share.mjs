@@ -1,0 +1,124 @@
+// What comes in and what is taken along: addresses, files, rows; and what is refused.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { closed, credit, drop, folder, lyapunov, opened, root, saved, slide, verdicts } from "./driver.mjs";
+
+/** A scene goes into the address, a file and back. */
+export async function shared(browser) {
+  const page = await opened(browser);
+  await slide(page, "environment.wall.stiffness", 0.4);
+  await slide(page, "effects.delay.ticks", 0.25);
+  const scene = await page.value("lyapunov.scene()");
+  await page.until("location.hash.includes('delay')");
+  const other = await opened(browser, {}, await page.value("location.hash"));
+  assert.equal(await other.value("lyapunov.scene()"), scene);
+  await drop(other, [["friction.toml", readFileSync(join(root, "scenes/friction.toml"), "utf8")]]);
+  await other.until("document.querySelector('#done').textContent.includes('friction.toml')");
+  const dropped = join(folder, "dropped.toml");
+  writeFileSync(dropped, await other.value("lyapunov.scene()"));
+  assert.equal(lyapunov("run", dropped, "--csv", "-", "--quiet"), lyapunov("run", join(root, "scenes/friction.toml"), "--csv", "-", "--quiet"));
+  const log = "scenes/logs/mujoco-wall.csv";
+  await drop(other, [[log, readFileSync(join(root, log), "utf8")]]);
+  await other.until("document.querySelector('#done').textContent.includes('is a log')");
+  assert.equal((await other.value("document.querySelector('#code').textContent")).trim(), lyapunov("observe", log).trim());
+  await drop(other, [["broken.toml", "duration = 1\nservo_rate = -1"]]);
+  await other.until("document.querySelector('#done').textContent.includes('broken.toml:2:')");
+  assert.ok(await other.value("document.querySelector('#code').hidden"), "what the observer said of another file stands below");
+  await other.value("document.querySelector('#copy-address').click(); 0");
+  await other.until("document.querySelector('#done').textContent !== ''");
+  await slide(other, "device.mass", 0.4);
+  assert.equal(await other.value("document.querySelector('#done').textContent"), "");
+  await drop(other, ["motion-file.toml", "motion-file.csv"].map((name) => [name, readFileSync(join(root, "scenes", name), "utf8")]));
+  await other.until("document.querySelector('#done').textContent.includes('motion-file.toml is open')");
+  await other.until("document.querySelectorAll('#members tbody tr').length > 5 && !document.querySelector('#fault').textContent", 60);
+  await drop(other, [["bad.toml", "duration = 1\nservo_rate = -1"]]);
+  await other.until("document.querySelector('#done').textContent.includes('bad.toml:2:')");
+  await closed(other);
+  await closed(page);
+}
+
+/** What is taken along is the loop that is shown: files, an address under any choice, a scene's own stabilizer. */
+export async function taken(browser) {
+  const page = await opened(browser);
+  await credit(page, "lolc-spring");
+  await page.value("document.querySelector('#why-of button[data-index=\"2\"]').click()");
+  const path = join(folder, "taken.toml");
+  writeFileSync(path, await saved(page, "#download"));
+  assert.ok(/candidate = "spring"/.test(readFileSync(path, "utf8")));
+  assert.equal(await saved(page, "#download-rows"), lyapunov("run", path, "--csv", "-", "--quiet"));
+  await page.until("location.hash.includes('lolc-spring')");
+  const [hash, shown] = [await page.value("location.hash"), await verdicts(page)];
+  await credit(page, "lolc-mass-spring-damper");
+  assert.notDeepEqual(await verdicts(page), shown);
+  await page.until("location.hash.includes('lolc-mass-spring-damper')");
+  // An address that is pasted into the same tab.
+  await page.value(`location.hash = ${JSON.stringify(hash)}; 0`);
+  await page.until("document.querySelector('#candidate').value === 'lolc-spring'");
+  assert.deepEqual(await verdicts(page), shown);
+  // The cap of one stabilizer is that of the other, too.
+  const own = { 0.1: "0.1", inf: "f64::INFINITY" };
+  for (const [cap, said] of Object.entries(own)) {
+    const text = `${readFileSync(join(root, "scenes/paper-8k-none.toml"), "utf8")}\n[stabilizer.lolc]\ncandidate = "device-damping"\ndamping_cap = ${cap}\n`;
+    writeFileSync(path, text);
+    await drop(page, [["own.toml", text]]);
+    await page.until("document.querySelector('#done').textContent === 'own.toml is open.'");
+    assert.equal((await verdicts(page))[2], JSON.parse(lyapunov("run", path, "--json")).verdict);
+    await page.value("document.querySelector('#lines button').click()");
+    assert.ok((await page.value("document.querySelector('#code').textContent")).includes(`of_mass(${said},`), cap);
+    await page.value("document.querySelector('#why-of button[data-index=\"1\"]').click(); document.querySelector('#lines button').click()");
+    assert.ok((await page.value("document.querySelector('#code').textContent")).includes(`of_mass(${said},`), `popc ${cap}`);
+    await page.value("document.querySelector('#why-of button[data-index=\"2\"]').click()");
+    const rows = lyapunov("run", path, "--csv", "-", "--quiet");
+    writeFileSync(path, await saved(page, "#download"));
+    assert.equal(lyapunov("run", path, "--csv", "-", "--quiet"), rows, cap);
+  }
+  const bare = join(root, "scenes/paper-8k-none.toml");
+  const sampled = `${readFileSync(bare, "utf8")}\n[stabilizer.popc]\nwork = "sampled"\n`;
+  await drop(page, [["sampled.toml", sampled]]);
+  await page.until("document.querySelector('#done').textContent === 'sampled.toml is open.'");
+  assert.ok(await page.value("[...document.querySelectorAll('#lines button')].every((it) => it.disabled)"));
+  await drop(page, [["bare.toml", readFileSync(bare, "utf8")]]);
+  await page.until("document.querySelector('#done').textContent === 'bare.toml is open.'");
+  assert.equal(await saved(page, "#download-rows"), lyapunov("run", bare, "--csv", "-", "--quiet"));
+  await closed(page);
+}
+
+/** An address or a file that the page cannot run leaves what it shows, and lines are offered only where they say what runs. */
+export async function refused(browser) {
+  const page = await opened(browser, {}, "#scalar=%22f32%22&duration=1");
+  const text = (at) => page.value(`document.querySelector("${at}").textContent`);
+  assert.notEqual(await text("#said"), "The scene of this address.");
+  assert.equal(await page.value("lyapunov.state.tree.scalar"), undefined);
+  await slide(page, "device.mass", 0.5);
+  assert.equal(await text("#fault"), "");
+  await page.close();
+  const cut = await opened(browser, {}, "#duration=%2");
+  assert.ok((await cut.value("document.querySelector('#fault').textContent")).includes("cut"));
+  assert.equal((await verdicts(cut)).length, 3);
+  await cut.until("location.hash.includes('servo_rate')");
+  await cut.value("location.hash = '#duration=%2'; 0");
+  await cut.until("location.hash.includes('servo_rate') && document.querySelector('#fault').textContent.includes('cut')");
+  const shipped = (name) => readFileSync(join(root, `scenes/${name}.toml`), "utf8");
+  const own = Object.fromEntries(["sphere", "hold", "press-1khz", "filter-cutoff"].map((name) => [name, shipped(name)]));
+  const other = { ...own, exact: `velocity = "exact"\n${shipped("paper-8k-none")}` };
+  for (const [stem, text] of Object.entries({ ...other, plain: shipped("paper-8k-none"), grip: shipped("grip") })) {
+    const [name, isOff] = [`${stem}.toml`, stem in other];
+    await drop(cut, [[name, text]]);
+    await cut.until(`document.querySelector('#done').textContent.includes('${name} is open')`);
+    const off = await cut.value("[...document.querySelectorAll('#lines button')].map((it) => it.disabled && it.title !== '')");
+    assert.deepEqual(off, [isOff, isOff, isOff], name);
+  }
+  await cut.close();
+  const stays = await opened(browser);
+  await drop(stays, [["link.toml", readFileSync(join(root, "scenes/link.toml"), "utf8")]]);
+  await stays.until("document.querySelector('#done').textContent === 'link.toml is open.'");
+  const at = () => stays.value("document.querySelector('input[name=\"operator.mass\"]').value");
+  const [place, scene] = [await at(), await stays.value("lyapunov.scene()")];
+  await slide(stays, "operator.mass", 0);
+  assert.notEqual(await stays.value("document.querySelector('#fault').textContent"), "");
+  assert.deepEqual([await at(), await stays.value("lyapunov.scene()")], [place, scene]);
+  await closed(stays);
+}
