@@ -4572,7 +4572,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_custom_f64screw_owe(lyapunov_lolc_cus
 typedef struct lyapunov_lolc_storage_f32_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32_parameters) == 8, lyapunov_lolc_storage_f32_parameters_size);
@@ -4622,7 +4622,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32_owe(lyapunov_lolc_storage
 typedef struct lyapunov_lolc_storage_f64_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64_parameters) == 16, lyapunov_lolc_storage_f64_parameters_size);
@@ -4672,7 +4672,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64_owe(lyapunov_lolc_storage
 typedef struct lyapunov_lolc_storage_f32x3_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x3_parameters) == 8, lyapunov_lolc_storage_f32x3_parameters_size);
@@ -4722,7 +4722,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x3_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f64x3_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x3_parameters) == 16, lyapunov_lolc_storage_f64x3_parameters_size);
@@ -4772,7 +4772,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x3_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f32x6_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x6_parameters) == 8, lyapunov_lolc_storage_f32x6_parameters_size);
@@ -4822,7 +4822,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32x6_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f64x6_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x6_parameters) == 16, lyapunov_lolc_storage_f64x6_parameters_size);
@@ -4872,7 +4872,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f64x6_owe(lyapunov_lolc_stora
 typedef struct lyapunov_lolc_storage_f32screw_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     float start;
 } lyapunov_lolc_storage_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32screw_parameters) == 8, lyapunov_lolc_storage_f32screw_parameters_size);
@@ -4922,7 +4922,7 @@ LYAPUNOV_API lyapunov_status lyapunov_lolc_storage_f32screw_owe(lyapunov_lolc_st
 typedef struct lyapunov_lolc_storage_f64screw_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
-    /* V in the state in which the loop starts, J; only init reads it, a later `retune` does not. */
+    /* V in the state in which the loop starts, J. Only init reads it: `retune` does not. */
     double start;
 } lyapunov_lolc_storage_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64screw_parameters) == 16, lyapunov_lolc_storage_f64screw_parameters_size);
@@ -11734,7 +11734,7 @@ LYAPUNOV_API lyapunov_status lyapunov_force_bounding_f64screw_owe(lyapunov_force
 
 /* lyapunov_tank_f32: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f32_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -11790,7 +11790,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f32_owe(lyapunov_tank_f32 *storage, f
 
 /* lyapunov_tank_f64: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f64_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -11846,7 +11846,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f64_owe(lyapunov_tank_f64 *storage, d
 
 /* lyapunov_tank_f32x3: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f32x3_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -11902,7 +11902,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f32x3_owe(lyapunov_tank_f32x3 *storag
 
 /* lyapunov_tank_f64x3: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f64x3_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -11958,7 +11958,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f64x3_owe(lyapunov_tank_f64x3 *storag
 
 /* lyapunov_tank_f32x6: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f32x6_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -12014,7 +12014,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f32x6_owe(lyapunov_tank_f32x6 *storag
 
 /* lyapunov_tank_f64x6: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f64x6_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -12070,7 +12070,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f64x6_owe(lyapunov_tank_f64x6 *storag
 
 /* lyapunov_tank_f32screw: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f32screw_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -12126,7 +12126,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f32screw_owe(lyapunov_tank_f32screw *
 
 /* lyapunov_tank_f64screw: Energy tank (Tank): efforts that an empty tank cannot pay are reduced. */
 typedef struct lyapunov_tank_f64screw_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -12184,7 +12184,7 @@ LYAPUNOV_API lyapunov_status lyapunov_tank_f64screw_owe(lyapunov_tank_f64screw *
    it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
    samples. */
 typedef struct lyapunov_energy_tank_f32_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -12235,7 +12235,7 @@ LYAPUNOV_API float lyapunov_energy_tank_f32_energy(const lyapunov_energy_tank_f3
    it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
    samples. */
 typedef struct lyapunov_energy_tank_f64_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -12286,7 +12286,7 @@ LYAPUNOV_API double lyapunov_energy_tank_f64_energy(const lyapunov_energy_tank_f
    it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
    samples. */
 typedef struct lyapunov_energy_tank_f32x3_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -12337,7 +12337,7 @@ LYAPUNOV_API float lyapunov_energy_tank_f32x3_energy(const lyapunov_energy_tank_
    it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
    samples. */
 typedef struct lyapunov_energy_tank_f64x3_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -12388,7 +12388,7 @@ LYAPUNOV_API double lyapunov_energy_tank_f64x3_energy(const lyapunov_energy_tank
    it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
    samples. */
 typedef struct lyapunov_energy_tank_f32x6_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -12439,7 +12439,7 @@ LYAPUNOV_API float lyapunov_energy_tank_f32x6_energy(const lyapunov_energy_tank_
    it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked, and has no
    samples. */
 typedef struct lyapunov_energy_tank_f64x6_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -12490,7 +12490,7 @@ LYAPUNOV_API double lyapunov_energy_tank_f64x6_energy(const lyapunov_energy_tank
    dissipates, it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked,
    and has no samples. */
 typedef struct lyapunov_energy_tank_f32screw_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
     /* The least energy, J. */
     float floor;
@@ -12541,7 +12541,7 @@ LYAPUNOV_API float lyapunov_energy_tank_f32screw_energy(const lyapunov_energy_ta
    dissipates, it lets pass as much of a wished input as it can pay for at the flow that you tell. It is asked,
    and has no samples. */
 typedef struct lyapunov_energy_tank_f64screw_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
     /* The least energy, J. */
     double floor;
@@ -14831,7 +14831,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64screw_receive(lyapunov_drift
 /* lyapunov_two_layer_f32: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and give
    `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f32_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     float start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     float share;
@@ -14889,7 +14889,7 @@ LYAPUNOV_API uint32_t lyapunov_two_layer_f32_receive(lyapunov_two_layer_f32 *sto
 /* lyapunov_two_layer_f64: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and give
    `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f64_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     double start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     double share;
@@ -14947,7 +14947,7 @@ LYAPUNOV_API uint32_t lyapunov_two_layer_f64_receive(lyapunov_two_layer_f64 *sto
 /* lyapunov_two_layer_f32x3: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
    give `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f32x3_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     float start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     float share;
@@ -15005,7 +15005,7 @@ LYAPUNOV_API uint32_t lyapunov_two_layer_f32x3_receive(lyapunov_two_layer_f32x3 
 /* lyapunov_two_layer_f64x3: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
    give `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f64x3_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     double start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     double share;
@@ -15063,7 +15063,7 @@ LYAPUNOV_API uint32_t lyapunov_two_layer_f64x3_receive(lyapunov_two_layer_f64x3 
 /* lyapunov_two_layer_f32x6: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
    give `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f32x6_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     float start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     float share;
@@ -15121,7 +15121,7 @@ LYAPUNOV_API uint32_t lyapunov_two_layer_f32x6_receive(lyapunov_two_layer_f32x6 
 /* lyapunov_two_layer_f64x6: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
    give `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f64x6_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     double start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     double share;
@@ -15179,7 +15179,7 @@ LYAPUNOV_API uint32_t lyapunov_two_layer_f64x6_receive(lyapunov_two_layer_f64x6 
 /* lyapunov_two_layer_f32screw: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
    give `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f32screw_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     float start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     float share;
@@ -15237,7 +15237,7 @@ LYAPUNOV_API uint32_t lyapunov_two_layer_f32screw_receive(lyapunov_two_layer_f32
 /* lyapunov_two_layer_f64screw: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
    give `receive` what came. A slave has a level and a gain of 0. */
 typedef struct lyapunov_two_layer_f64screw_parameters {
-    /* Energy at the start, J. */
+    /* Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`. */
     double start;
     /* The share of the tank that is sent on every tick, 0 to 1. */
     double share;

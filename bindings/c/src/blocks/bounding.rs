@@ -4,13 +4,22 @@ use lyapunov::stabilizers::{
     EnergyBounding, EnergyTank, ForceBound, ForceBounding, LeastNorm, MemoryBased, PathMemory,
     SlopeBound, Tank, TankLimits,
 };
-use lyapunov::{Dissipation, PortEnergy};
+use lyapunov::{Dissipation, ParameterError, PortEnergy, Requirement};
 
 use crate::export::blocks;
 use crate::limits::limit;
+use crate::number::Number;
 
 /// Cells of the memories of a way.
 const CELLS: usize = 64;
+
+/// The same limits. A floor above the ceiling is told by itself: on retuning it stands in for the start.
+fn ordered<T: Number>(limits: TankLimits<T>) -> Result<TankLimits<T>, ParameterError> {
+    if limits.floor.above(limits.ceiling) {
+        Requirement::AtMost(limits.ceiling.lane(0)).check("floor", limits.floor)?;
+    }
+    Ok(limits)
+}
 
 blocks! {
     /// Force bounding that keeps what free motion dissipated (ForceBound).
@@ -40,8 +49,8 @@ blocks! {
         "tank";
         Tank<T, (PortEnergy, Dissipation<T>)>, whole 4 + 0;
         {
-            /// Energy at the start, J.
-            start: T,
+            /// Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not.
+            start: T => floor,
             /// The least energy, J.
             floor: T,
             /// The most energy, J; infinity: no limit.
@@ -54,7 +63,7 @@ blocks! {
         |given| {
             let (start, floor) = (given.start, given.floor);
             let store = TankLimits { start, floor, ceiling: given.ceiling, power: given.power };
-            Tank::new((PortEnergy, Dissipation::of(given.device_damping)?), store)
+            Tank::new((PortEnergy, Dissipation::of(given.device_damping)?), ordered(store)?)
         };
         [life stabilizer account]
     }
@@ -64,8 +73,8 @@ blocks! {
         "energy_tank";
         EnergyTank<T>, whole 5 + 0;
         {
-            /// Energy at the start, J.
-            start: T,
+            /// Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not.
+            start: T => floor,
             /// The least energy, J.
             floor: T,
             /// The most energy, J; infinity: no limit.
@@ -75,7 +84,8 @@ blocks! {
         };
         |given| {
             let (start, floor) = (given.start, given.floor);
-            EnergyTank::new(TankLimits { start, floor, ceiling: given.ceiling, power: given.power })
+            let store = TankLimits { start, floor, ceiling: given.ceiling, power: given.power };
+            EnergyTank::new(ordered(store)?)
         };
         [life drawn]
     }
@@ -107,7 +117,7 @@ blocks! {
             device_damping: T,
             /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
             /// not, and later there is `grant`.
-            budget: T,
+            budget: T => 0.0,
         };
         |given| {
             let candidate = (PortEnergy, Dissipation::of(given.device_damping)?);

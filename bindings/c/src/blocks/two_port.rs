@@ -42,8 +42,8 @@ blocks! {
         "two_layer";
         TwoLayer<T>, whole 7 + 0;
         {
-            /// Energy at the start, J.
-            start: T,
+            /// Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`.
+            start: T => 0.0,
             /// The share of the tank that is sent on every tick, 0 to 1.
             share: T,
             /// The level that the master fills its tank to, J.
