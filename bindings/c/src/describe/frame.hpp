@@ -227,16 +227,17 @@ template <class Storage> struct Calls;
         static auto restore(name *storage, const Memory *memory) { return name##_restore(storage, memory); }                     \
     };
 
-// What every block has, beside verbs of its own.
-template <class Storage> class Block {
+// What every block has, beside verbs of its own. A class of the user's that is derived from a block finds names of its bases before those
+// around it: hence long ones, and no alias.
+template <class Storage> class LyapunovBlock {
 public:
     using Parameters = typename Calls<Storage>::Parameters;
     using Memory = typename Calls<Storage>::Memory;
     /* Makes the block of parameters that fit together. */
     Status init(const Parameters &parameters) noexcept
     {
-        static_assert(sizeof(Block) == sizeof(Storage) && std::is_standard_layout<Block>::value &&
-                          std::is_trivially_copyable<Block>::value,
+        static_assert(sizeof(LyapunovBlock) == sizeof(Storage) && std::is_standard_layout<LyapunovBlock>::value &&
+                          std::is_trivially_copyable<LyapunovBlock>::value,
                       "a block is its storage");
         return Status(Calls<Storage>::init(&storage, &parameters));
     }
@@ -253,11 +254,11 @@ public:
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const Memory &memory) noexcept { return Status(Calls<Storage>::restore(&storage, &memory)); }
     /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Block &a, const Block &b) noexcept
+    friend bool operator==(const LyapunovBlock &a, const LyapunovBlock &b) noexcept
     {
         return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0;
     }
-    friend bool operator!=(const Block &a, const Block &b) noexcept { return !(a == b); }
+    friend bool operator!=(const LyapunovBlock &a, const LyapunovBlock &b) noexcept { return !(a == b); }
     Storage storage{};
 };
 
@@ -274,18 +275,25 @@ template <class Storage> struct AccountCalls;
     };
 
 // What a block with an account has, beside verbs of its own.
-template <class Storage> class Account : public Block<Storage> {
-    using Number = typename AccountCalls<Storage>::Number;
-
+template <class Storage> class LyapunovAccount : public LyapunovBlock<Storage> {
 public:
     /* The observed energy, J; NaN if the storage is not initialised. */
-    Number observed_energy() const noexcept { return AccountCalls<Storage>::observed_energy(&this->storage); }
+    typename AccountCalls<Storage>::Number observed_energy() const noexcept
+    {
+        return AccountCalls<Storage>::observed_energy(&this->storage);
+    }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
     Code reset() noexcept { return static_cast<Code>(AccountCalls<Storage>::reset(&this->storage)); }
     /* Adds as many joules of credit that were not absorbed. */
-    Status grant(Number energy) noexcept { return Status(AccountCalls<Storage>::grant(&this->storage, energy)); }
+    Status grant(typename AccountCalls<Storage>::Number energy) noexcept
+    {
+        return Status(AccountCalls<Storage>::grant(&this->storage, energy));
+    }
     /* Adds a debt of as many joules. */
-    Status owe(Number debt) noexcept { return Status(AccountCalls<Storage>::owe(&this->storage, debt)); }
+    Status owe(typename AccountCalls<Storage>::Number debt) noexcept
+    {
+        return Status(AccountCalls<Storage>::owe(&this->storage, debt));
+    }
 };
 
 } // namespace detail

@@ -155,6 +155,25 @@ static_assert(is_on_every_signal<lyapunov::Popc>() && is_on_every_signal<lyapuno
 static_assert(is_on_every_signal<lyapunov::Readings>() && is_on_every_signal<lyapunov::EnergyMeter>(), "of an observer");
 static_assert(is_on_every_signal<lyapunov::TwoLayer>() && is_on_every_signal<lyapunov::WaveFilter>(), "of a line");
 
+// In a class that is derived from a block, names are those around it.
+namespace derived {
+using namespace lyapunov;
+struct Block {
+    int own;
+};
+struct Account {
+    int own;
+};
+struct Mine : Popc<double> {
+    Number<double> gain{};
+    Block block{};
+    Account account{};
+};
+static_assert(std::is_same<decltype(Mine::gain), double>::value, "a number");
+static_assert(std::is_same<decltype(Mine::block), derived::Block>::value, "the block around it");
+static_assert(std::is_same<decltype(Mine::account), derived::Account>::value, "the account around it");
+} // namespace derived
+
 } // namespace
 
 int main()
