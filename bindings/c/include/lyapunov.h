@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 /* Version of the binary interface; init refuses another one. */
-#define LYAPUNOV_ABI 4u
+#define LYAPUNOV_ABI 5u
 
 #ifndef LYAPUNOV_API
 #define LYAPUNOV_API extern
@@ -871,7 +871,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32_parameters) == 8, lyapunov_readings
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32_parameters, period) == 0, lyapunov_readings_f32_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32_parameters, fastest) == 4, lyapunov_readings_f32_parameters_fastest);
 typedef struct lyapunov_readings_f32 {
-    /* Set by init: 0x798166aa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x455279c9. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -917,7 +917,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64_parameters) == 16, lyapunov_reading
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64_parameters, period) == 0, lyapunov_readings_f64_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64_parameters, fastest) == 8, lyapunov_readings_f64_parameters_fastest);
 typedef struct lyapunov_readings_f64 {
-    /* Set by init: 0x6979c835. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5959550a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -963,7 +963,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32x3_parameters) == 8, lyapunov_readin
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x3_parameters, period) == 0, lyapunov_readings_f32x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x3_parameters, fastest) == 4, lyapunov_readings_f32x3_parameters_fastest);
 typedef struct lyapunov_readings_f32x3 {
-    /* Set by init: 0x09b757bf. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x633425b0. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[13];
@@ -1009,7 +1009,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64x3_parameters) == 16, lyapunov_readi
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x3_parameters, period) == 0, lyapunov_readings_f64x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x3_parameters, fastest) == 8, lyapunov_readings_f64x3_parameters_fastest);
 typedef struct lyapunov_readings_f64x3 {
-    /* Set by init: 0x1801894c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1e40129f. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[13];
@@ -1055,7 +1055,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32x6_parameters) == 8, lyapunov_readin
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x6_parameters, period) == 0, lyapunov_readings_f32x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32x6_parameters, fastest) == 4, lyapunov_readings_f32x6_parameters_fastest);
 typedef struct lyapunov_readings_f32x6 {
-    /* Set by init: 0x04b74fe0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x68342d8f. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[22];
@@ -1101,7 +1101,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64x6_parameters) == 16, lyapunov_readi
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x6_parameters, period) == 0, lyapunov_readings_f64x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64x6_parameters, fastest) == 8, lyapunov_readings_f64x6_parameters_fastest);
 typedef struct lyapunov_readings_f64x6 {
-    /* Set by init: 0x15018493. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x19400ac0. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[22];
@@ -1147,7 +1147,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32screw_parameters) == 8, lyapunov_rea
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32screw_parameters, period) == 0, lyapunov_readings_f32screw_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f32screw_parameters, fastest) == 4, lyapunov_readings_f32screw_parameters_fastest);
 typedef struct lyapunov_readings_f32screw {
-    /* Set by init: 0x76793452. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x006b559b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[22];
@@ -1193,7 +1193,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64screw_parameters) == 16, lyapunov_re
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64screw_parameters, period) == 0, lyapunov_readings_f64screw_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_f64screw_parameters, fastest) == 8, lyapunov_readings_f64screw_parameters_fastest);
 typedef struct lyapunov_readings_f64screw {
-    /* Set by init: 0x688e80df. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1e9edd32. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[22];
@@ -1238,7 +1238,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32_parameters) == 8, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32_parameters, period) == 0, lyapunov_readings_measured_f32_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32_parameters, fastest) == 4, lyapunov_readings_measured_f32_parameters_fastest);
 typedef struct lyapunov_readings_measured_f32 {
-    /* Set by init: 0x220bdda3. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x138a17f6. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -1284,7 +1284,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64_parameters) == 16, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64_parameters, period) == 0, lyapunov_readings_measured_f64_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64_parameters, fastest) == 8, lyapunov_readings_measured_f64_parameters_fastest);
 typedef struct lyapunov_readings_measured_f64 {
-    /* Set by init: 0x3212b298. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2b964031. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -1330,7 +1330,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32x3_parameters) == 8, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x3_parameters, period) == 0, lyapunov_readings_measured_f32x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x3_parameters, fastest) == 4, lyapunov_readings_measured_f32x3_parameters_fastest);
 typedef struct lyapunov_readings_measured_f32x3 {
-    /* Set by init: 0x0d4ea9f6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x44f99f3b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[13];
@@ -1376,7 +1376,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64x3_parameters) == 16, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x3_parameters, period) == 0, lyapunov_readings_measured_f64x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x3_parameters, fastest) == 8, lyapunov_readings_measured_f64x3_parameters_fastest);
 typedef struct lyapunov_readings_measured_f64x3 {
-    /* Set by init: 0x0baa0969. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3ed50a08. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[13];
@@ -1422,7 +1422,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32x6_parameters) == 8, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x6_parameters, period) == 0, lyapunov_readings_measured_f32x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32x6_parameters, fastest) == 4, lyapunov_readings_measured_f32x6_parameters_fastest);
 typedef struct lyapunov_readings_measured_f32x6 {
-    /* Set by init: 0x124eb1d5. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x47f9a3f4. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[22];
@@ -1468,7 +1468,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64x6_parameters) == 16, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x6_parameters, period) == 0, lyapunov_readings_measured_f64x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64x6_parameters, fastest) == 8, lyapunov_readings_measured_f64x6_parameters_fastest);
 typedef struct lyapunov_readings_measured_f64x6 {
-    /* Set by init: 0x0eaa0e22. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x43d511e7. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[22];
@@ -1514,7 +1514,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32screw_parameters) == 8, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32screw_parameters, period) == 0, lyapunov_readings_measured_f32screw_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f32screw_parameters, fastest) == 4, lyapunov_readings_measured_f32screw_parameters_fastest);
 typedef struct lyapunov_readings_measured_f32screw {
-    /* Set by init: 0x63d5f281. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7169b4e6. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[22];
@@ -1560,7 +1560,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64screw_parameters) == 16, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64screw_parameters, period) == 0, lyapunov_readings_measured_f64screw_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_f64screw_parameters, fastest) == 8, lyapunov_readings_measured_f64screw_parameters_fastest);
 typedef struct lyapunov_readings_measured_f64screw {
-    /* Set by init: 0x42f76b94. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3924b653. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[22];
@@ -1609,7 +1609,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32_parameters, period) ==
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32_parameters, fastest) == 4, lyapunov_readings_low_passed_f32_parameters_fastest);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32_parameters, cutoff) == 8, lyapunov_readings_low_passed_f32_parameters_cutoff);
 typedef struct lyapunov_readings_low_passed_f32 {
-    /* Set by init: 0x10b65d28. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x12892dd9. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -1657,7 +1657,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64_parameters, period) ==
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64_parameters, fastest) == 8, lyapunov_readings_low_passed_f64_parameters_fastest);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64_parameters, cutoff) == 16, lyapunov_readings_low_passed_f64_parameters_cutoff);
 typedef struct lyapunov_readings_low_passed_f64 {
-    /* Set by init: 0x04aec4ff. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2690d29a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -1705,7 +1705,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x3_parameters, period) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x3_parameters, fastest) == 4, lyapunov_readings_low_passed_f32x3_parameters_fastest);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x3_parameters, cutoff) == 8, lyapunov_readings_low_passed_f32x3_parameters_cutoff);
 typedef struct lyapunov_readings_low_passed_f32x3 {
-    /* Set by init: 0x30e41ef9. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x084420c0. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[18];
@@ -1753,7 +1753,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x3_parameters, period) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x3_parameters, fastest) == 8, lyapunov_readings_low_passed_f64x3_parameters_fastest);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x3_parameters, cutoff) == 16, lyapunov_readings_low_passed_f64x3_parameters_cutoff);
 typedef struct lyapunov_readings_low_passed_f64x3 {
-    /* Set by init: 0x79653e82. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x36aa7caf. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[18];
@@ -1801,7 +1801,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x6_parameters, period) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x6_parameters, fastest) == 4, lyapunov_readings_low_passed_f32x6_parameters_fastest);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f32x6_parameters, cutoff) == 8, lyapunov_readings_low_passed_f32x6_parameters_cutoff);
 typedef struct lyapunov_readings_low_passed_f32x6 {
-    /* Set by init: 0x33e423b2. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0d44289f. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[30];
@@ -1849,7 +1849,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x6_parameters, period) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x6_parameters, fastest) == 8, lyapunov_readings_low_passed_f64x6_parameters_fastest);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_low_passed_f64x6_parameters, cutoff) == 16, lyapunov_readings_low_passed_f64x6_parameters_cutoff);
 typedef struct lyapunov_readings_low_passed_f64x6 {
-    /* Set by init: 0x766539c9. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x31aa74d0. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[30];
@@ -1900,7 +1900,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32_parameters, fastest) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32_parameters, ticks) == 8, lyapunov_readings_windowed_f32_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32_parameters, band) == 12, lyapunov_readings_windowed_f32_parameters_band);
 typedef struct lyapunov_readings_windowed_f32 {
-    /* Set by init: 0x39ea81b6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5de7b3a7. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[26];
@@ -1951,7 +1951,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64_parameters, fastest) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64_parameters, ticks) == 16, lyapunov_readings_windowed_f64_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64_parameters, band) == 24, lyapunov_readings_windowed_f64_parameters_band);
 typedef struct lyapunov_readings_windowed_f64 {
-    /* Set by init: 0x51f6a9f1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x45db8b6c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[26];
@@ -2002,7 +2002,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x3_parameters, fastest) =
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x3_parameters, ticks) == 8, lyapunov_readings_windowed_f32x3_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x3_parameters, band) == 12, lyapunov_readings_windowed_f32x3_parameters_band);
 typedef struct lyapunov_readings_windowed_f32x3 {
-    /* Set by init: 0x49a7b37b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x227f599a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[64];
@@ -2053,7 +2053,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x3_parameters, fastest) =
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x3_parameters, ticks) == 16, lyapunov_readings_windowed_f64x3_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x3_parameters, band) == 24, lyapunov_readings_windowed_f64x3_parameters_band);
 typedef struct lyapunov_readings_windowed_f64x3 {
-    /* Set by init: 0x4108b548. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x287b4c5d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[64];
@@ -2104,7 +2104,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x6_parameters, fastest) =
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x6_parameters, ticks) == 8, lyapunov_readings_windowed_f32x6_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f32x6_parameters, band) == 12, lyapunov_readings_windowed_f32x6_parameters_band);
 typedef struct lyapunov_readings_windowed_f32x6 {
-    /* Set by init: 0x4ca7b834. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1f7f54e1. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[121];
@@ -2155,7 +2155,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x6_parameters, fastest) =
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x6_parameters, ticks) == 16, lyapunov_readings_windowed_f64x6_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_windowed_f64x6_parameters, band) == 24, lyapunov_readings_windowed_f64x6_parameters_band);
 typedef struct lyapunov_readings_windowed_f64x6 {
-    /* Set by init: 0x4608bd27. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x237b447e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[121];
@@ -2201,7 +2201,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32_parameters) == 8, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32_parameters, period) == 0, lyapunov_readings_clocked_f32_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32_parameters, fastest) == 4, lyapunov_readings_clocked_f32_parameters_fastest);
 typedef struct lyapunov_readings_clocked_f32 {
-    /* Set by init: 0x5be208b2. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3583b3e5. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[12];
@@ -2247,7 +2247,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64_parameters) == 16, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64_parameters, period) == 0, lyapunov_readings_clocked_f64_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64_parameters, fastest) == 8, lyapunov_readings_clocked_f64_parameters_fastest);
 typedef struct lyapunov_readings_clocked_f64 {
-    /* Set by init: 0x6bda9c9d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3176e1a6. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -2293,7 +2293,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3_parameters) == 8, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x3_parameters, period) == 0, lyapunov_readings_clocked_f32x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x3_parameters, fastest) == 4, lyapunov_readings_clocked_f32x3_parameters_fastest);
 typedef struct lyapunov_readings_clocked_f32x3 {
-    /* Set by init: 0x447991b7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x58d75f7c. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[18];
@@ -2339,7 +2339,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3_parameters) == 16, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x3_parameters, period) == 0, lyapunov_readings_clocked_f64x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x3_parameters, fastest) == 8, lyapunov_readings_clocked_f64x3_parameters_fastest);
 typedef struct lyapunov_readings_clocked_f64x3 {
-    /* Set by init: 0x70392ba4. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x782222eb. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];
@@ -2385,7 +2385,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6_parameters) == 8, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x6_parameters, period) == 0, lyapunov_readings_clocked_f32x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f32x6_parameters, fastest) == 4, lyapunov_readings_clocked_f32x6_parameters_fastest);
 typedef struct lyapunov_readings_clocked_f32x6 {
-    /* Set by init: 0x3f7989d8. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x55d75ac3. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[27];
@@ -2431,7 +2431,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6_parameters) == 16, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x6_parameters, period) == 0, lyapunov_readings_clocked_f64x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_clocked_f64x6_parameters, fastest) == 8, lyapunov_readings_clocked_f64x6_parameters_fastest);
 typedef struct lyapunov_readings_clocked_f64x6 {
-    /* Set by init: 0x6d3926eb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7b2227a4. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[25];
@@ -2477,7 +2477,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32_parameters) == 8, 
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32_parameters, period) == 0, lyapunov_readings_measured_clocked_f32_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32_parameters, fastest) == 4, lyapunov_readings_measured_clocked_f32_parameters_fastest);
 typedef struct lyapunov_readings_measured_clocked_f32 {
-    /* Set by init: 0x3eedbdcb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x29dec256. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[12];
@@ -2523,7 +2523,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64_parameters) == 16,
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64_parameters, period) == 0, lyapunov_readings_measured_clocked_f64_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64_parameters, fastest) == 8, lyapunov_readings_measured_clocked_f64_parameters_fastest);
 typedef struct lyapunov_readings_measured_clocked_f64 {
-    /* Set by init: 0x2ef529e0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x41eaea91. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -2569,7 +2569,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3_parameters) == 8
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x3_parameters, period) == 0, lyapunov_readings_measured_clocked_f32x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x3_parameters, fastest) == 4, lyapunov_readings_measured_clocked_f32x3_parameters_fastest);
 typedef struct lyapunov_readings_measured_clocked_f32x3 {
-    /* Set by init: 0x5a50698e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1c43761b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[18];
@@ -2615,7 +2615,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3_parameters) == 1
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x3_parameters, period) == 0, lyapunov_readings_measured_clocked_f64x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x3_parameters, fastest) == 8, lyapunov_readings_measured_clocked_f64x3_parameters_fastest);
 typedef struct lyapunov_readings_measured_clocked_f64x3 {
-    /* Set by init: 0x2e90cfa1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x161faa68. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];
@@ -2661,7 +2661,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6_parameters) == 8
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x6_parameters, period) == 0, lyapunov_readings_measured_clocked_f32x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f32x6_parameters, fastest) == 4, lyapunov_readings_measured_clocked_f32x6_parameters_fastest);
 typedef struct lyapunov_readings_measured_clocked_f32x6 {
-    /* Set by init: 0x5f50716d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1f437ad4. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[27];
@@ -2707,7 +2707,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6_parameters) == 1
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x6_parameters, period) == 0, lyapunov_readings_measured_clocked_f64x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_measured_clocked_f64x6_parameters, fastest) == 8, lyapunov_readings_measured_clocked_f64x6_parameters_fastest);
 typedef struct lyapunov_readings_measured_clocked_f64x6 {
-    /* Set by init: 0x3190d45a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1b1fb247. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[25];
@@ -2756,7 +2756,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_parameters, period)
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_f32screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_f32screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_f32screw {
-    /* Set by init: 0x1055d46d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x404e501e. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[50];
@@ -2805,7 +2805,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_parameters, period)
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_f64screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_f64screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_f64screw {
-    /* Set by init: 0x6b8f9950. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2253bd0b. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[50];
@@ -2853,7 +2853,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_parameters
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_measured_f32screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_measured_f32screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_measured_f32screw {
-    /* Set by init: 0x5e79fd78. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x62874f15. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[50];
@@ -2902,7 +2902,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_parameters
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_measured_f64screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_measured_f64screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_measured_f64screw {
-    /* Set by init: 0x4128b609. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x15404298. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[50];
@@ -2954,7 +2954,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_paramete
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_low_passed_f32screw_parameters_fastest_rotation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f32screw_parameters, cutoff) == 12, lyapunov_readings_of_poses_low_passed_f32screw_parameters_cutoff);
 typedef struct lyapunov_readings_of_poses_low_passed_f32screw {
-    /* Set by init: 0x04881941. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2bf95400. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[65];
@@ -3005,7 +3005,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_paramete
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_low_passed_f64screw_parameters_fastest_rotation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_low_passed_f64screw_parameters, cutoff) == 24, lyapunov_readings_of_poses_low_passed_f64screw_parameters_cutoff);
 typedef struct lyapunov_readings_of_poses_low_passed_f64screw {
-    /* Set by init: 0x63a99254. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2bf75651. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[65];
@@ -3059,7 +3059,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters, ticks) == 12, lyapunov_readings_of_poses_windowed_f32screw_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f32screw_parameters, band) == 16, lyapunov_readings_of_poses_windowed_f32screw_parameters_band);
 typedef struct lyapunov_readings_of_poses_windowed_f32screw {
-    /* Set by init: 0x3e364a07. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0aa67baa. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[261];
@@ -3113,7 +3113,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters, ticks) == 24, lyapunov_readings_of_poses_windowed_f64screw_parameters_ticks);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_windowed_f64screw_parameters, band) == 32, lyapunov_readings_of_poses_windowed_f64screw_parameters_band);
 typedef struct lyapunov_readings_of_poses_windowed_f64screw {
-    /* Set by init: 0x047585ce. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5f1f1697. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[261];
@@ -3162,7 +3162,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_parameters,
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_clocked_f32screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_clocked_f32screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_clocked_f32screw {
-    /* Set by init: 0x1546618d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0ed1779e. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[55];
@@ -3211,7 +3211,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_parameters,
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_clocked_f64screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_clocked_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_clocked_f64screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_clocked_f64screw {
-    /* Set by init: 0x70802670. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x70d6e48b. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[53];
@@ -3260,7 +3260,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_pa
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters, fastest_translation) == 4, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters, fastest_rotation) == 8, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw {
-    /* Set by init: 0x07cd5dac. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2733bf75. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[55];
@@ -3309,7 +3309,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_pa
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters, fastest_translation) == 8, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_fastest_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters, fastest_rotation) == 16, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_fastest_rotation);
 typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw {
-    /* Set by init: 0x050e706d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x69219178. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[53];
@@ -3357,7 +3357,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32_parameters) == 8, lyapunov_popc_f32_par
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32_parameters, damping_limit) == 0, lyapunov_popc_f32_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32_parameters, budget) == 4, lyapunov_popc_f32_parameters_budget);
 typedef struct lyapunov_popc_f32 {
-    /* Set by init: 0x5096dfa3. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2a2adec8. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -3408,7 +3408,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64_parameters) == 16, lyapunov_popc_f64_pa
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64_parameters, damping_limit) == 0, lyapunov_popc_f64_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64_parameters, budget) == 8, lyapunov_popc_f64_parameters_budget);
 typedef struct lyapunov_popc_f64 {
-    /* Set by init: 0x609db498. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1e23469f. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -3459,7 +3459,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32x3_parameters) == 8, lyapunov_popc_f32x3
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x3_parameters, damping_limit) == 0, lyapunov_popc_f32x3_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x3_parameters, budget) == 4, lyapunov_popc_f32x3_parameters_budget);
 typedef struct lyapunov_popc_f32x3 {
-    /* Set by init: 0x67467bf6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2a155419. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -3510,7 +3510,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64x3_parameters) == 16, lyapunov_popc_f64x
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x3_parameters, damping_limit) == 0, lyapunov_popc_f64x3_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x3_parameters, budget) == 8, lyapunov_popc_f64x3_parameters_budget);
 typedef struct lyapunov_popc_f64x3 {
-    /* Set by init: 0x65a1db69. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x75101322. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -3561,7 +3561,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32x6_parameters) == 8, lyapunov_popc_f32x6
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x6_parameters, damping_limit) == 0, lyapunov_popc_f32x6_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32x6_parameters, budget) == 4, lyapunov_popc_f32x6_parameters_budget);
 typedef struct lyapunov_popc_f32x6 {
-    /* Set by init: 0x6c4683d5. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2d1558d2. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -3612,7 +3612,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64x6_parameters) == 16, lyapunov_popc_f64x
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x6_parameters, damping_limit) == 0, lyapunov_popc_f64x6_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64x6_parameters, budget) == 8, lyapunov_popc_f64x6_parameters_budget);
 typedef struct lyapunov_popc_f64x6 {
-    /* Set by init: 0x68a1e022. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x72100e69. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -3663,7 +3663,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f32screw_parameters) == 8, lyapunov_popc_f3
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32screw_parameters, damping_limit) == 0, lyapunov_popc_f32screw_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f32screw_parameters, budget) == 4, lyapunov_popc_f32screw_parameters_budget);
 typedef struct lyapunov_popc_f32screw {
-    /* Set by init: 0x33467881. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1cbbb304. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -3714,7 +3714,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_popc_f64screw_parameters) == 16, lyapunov_popc_f
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64screw_parameters, damping_limit) == 0, lyapunov_popc_f64screw_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_popc_f64screw_parameters, budget) == 8, lyapunov_popc_f64screw_parameters_budget);
 typedef struct lyapunov_popc_f64screw {
-    /* Set by init: 0x1267f194. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6bafbac5. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -3765,7 +3765,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32_parameters, damping_limit) == 0, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32_parameters, device_damping) == 4, lyapunov_lolc_f32_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32_parameters, budget) == 8, lyapunov_lolc_f32_parameters_budget);
 typedef struct lyapunov_lolc_f32 {
-    /* Set by init: 0x091776eb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x43d30a08. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -3816,7 +3816,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64_parameters, damping_limit) == 0, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64_parameters, device_damping) == 8, lyapunov_lolc_f64_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64_parameters, budget) == 16, lyapunov_lolc_f64_parameters_budget);
 typedef struct lyapunov_lolc_f64 {
-    /* Set by init: 0x791ee300. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x37cb71df. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -3867,7 +3867,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x3_parameters, damping_limit) == 0, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x3_parameters, device_damping) == 4, lyapunov_lolc_f32x3_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x3_parameters, budget) == 8, lyapunov_lolc_f32x3_parameters_budget);
 typedef struct lyapunov_lolc_f32x3 {
-    /* Set by init: 0x194798ae. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2c68c5d9. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -3918,7 +3918,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x3_parameters, damping_limit) == 0, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x3_parameters, device_damping) == 8, lyapunov_lolc_f64x3_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x3_parameters, budget) == 16, lyapunov_lolc_f64x3_parameters_budget);
 typedef struct lyapunov_lolc_f64x3 {
-    /* Set by init: 0x700267c1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x74e91be2. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -3969,7 +3969,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x6_parameters, damping_limit) == 0, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x6_parameters, device_damping) == 4, lyapunov_lolc_f32x6_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32x6_parameters, budget) == 8, lyapunov_lolc_f32x6_parameters_budget);
 typedef struct lyapunov_lolc_f32x6 {
-    /* Set by init: 0x1e47a08d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2f68ca92. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -4020,7 +4020,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x6_parameters, damping_limit) == 0, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x6_parameters, device_damping) == 8, lyapunov_lolc_f64x6_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64x6_parameters, budget) == 16, lyapunov_lolc_f64x6_parameters_budget);
 typedef struct lyapunov_lolc_f64x6 {
-    /* Set by init: 0x73026c7a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x71e91729. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -4071,7 +4071,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32screw_parameters, damping_limit) == 0,
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32screw_parameters, device_damping) == 4, lyapunov_lolc_f32screw_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f32screw_parameters, budget) == 8, lyapunov_lolc_f32screw_parameters_budget);
 typedef struct lyapunov_lolc_f32screw {
-    /* Set by init: 0x333af859. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x77bf2b44. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -4122,7 +4122,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64screw_parameters, damping_limit) == 0,
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64screw_parameters, device_damping) == 8, lyapunov_lolc_f64screw_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_f64screw_parameters, budget) == 16, lyapunov_lolc_f64screw_parameters_budget);
 typedef struct lyapunov_lolc_f64screw {
-    /* Set by init: 0x1bfe9b4c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x75a6c805. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -4172,7 +4172,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32_parameters) == 8, lyapunov_lolc_
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32_parameters, damping_limit) == 0, lyapunov_lolc_custom_f32_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32_parameters, budget) == 4, lyapunov_lolc_custom_f32_parameters_budget);
 typedef struct lyapunov_lolc_custom_f32 {
-    /* Set by init: 0x01db8617. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5cc12256. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -4223,7 +4223,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64_parameters) == 16, lyapunov_lolc
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64_parameters, damping_limit) == 0, lyapunov_lolc_custom_f64_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64_parameters, budget) == 8, lyapunov_lolc_custom_f64_parameters_budget);
 typedef struct lyapunov_lolc_custom_f64 {
-    /* Set by init: 0x69cf5ddc. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x74cd4a91. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -4274,7 +4274,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32x3_parameters) == 8, lyapunov_lol
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x3_parameters, damping_limit) == 0, lyapunov_lolc_custom_f32x3_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x3_parameters, budget) == 4, lyapunov_lolc_custom_f32x3_parameters_budget);
 typedef struct lyapunov_lolc_custom_f32x3 {
-    /* Set by init: 0x38f8bf8a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1cdcd61b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -4325,7 +4325,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64x3_parameters) == 16, lyapunov_lo
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x3_parameters, damping_limit) == 0, lyapunov_lolc_custom_f64x3_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x3_parameters, budget) == 8, lyapunov_lolc_custom_f64x3_parameters_budget);
 typedef struct lyapunov_lolc_custom_f64x3 {
-    /* Set by init: 0x3ef57bcd. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x16b90a68. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -4376,7 +4376,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32x6_parameters) == 8, lyapunov_lol
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x6_parameters, damping_limit) == 0, lyapunov_lolc_custom_f32x6_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32x6_parameters, budget) == 4, lyapunov_lolc_custom_f32x6_parameters_budget);
 typedef struct lyapunov_lolc_custom_f32x6 {
-    /* Set by init: 0x35f8bad1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1fdcdad4. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -4427,7 +4427,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64x6_parameters) == 16, lyapunov_lo
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x6_parameters, damping_limit) == 0, lyapunov_lolc_custom_f64x6_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64x6_parameters, budget) == 8, lyapunov_lolc_custom_f64x6_parameters_budget);
 typedef struct lyapunov_lolc_custom_f64x6 {
-    /* Set by init: 0x39f573ee. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1bb91247. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -4478,7 +4478,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f32screw_parameters) == 8, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32screw_parameters, damping_limit) == 0, lyapunov_lolc_custom_f32screw_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f32screw_parameters, budget) == 4, lyapunov_lolc_custom_f32screw_parameters_budget);
 typedef struct lyapunov_lolc_custom_f32screw {
-    /* Set by init: 0x4ecf436d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2e04c2c6. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -4529,7 +4529,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_custom_f64screw_parameters) == 16, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64screw_parameters, damping_limit) == 0, lyapunov_lolc_custom_f64screw_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_custom_f64screw_parameters, budget) == 8, lyapunov_lolc_custom_f64screw_parameters_budget);
 typedef struct lyapunov_lolc_custom_f64screw {
-    /* Set by init: 0x2a090850. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x75bfc433. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -4579,7 +4579,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32_parameters) == 8, lyapunov_lolc
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32_parameters, damping_limit) == 0, lyapunov_lolc_storage_f32_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32_parameters, start) == 4, lyapunov_lolc_storage_f32_parameters_start);
 typedef struct lyapunov_lolc_storage_f32 {
-    /* Set by init: 0x23d85f8d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4a953a26. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -4629,7 +4629,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64_parameters) == 16, lyapunov_lol
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64_parameters, damping_limit) == 0, lyapunov_lolc_storage_f64_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64_parameters, start) == 8, lyapunov_lolc_storage_f64_parameters_start);
 typedef struct lyapunov_lolc_storage_f64 {
-    /* Set by init: 0x1fcc56ce. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x62a22be1. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -4679,7 +4679,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x3_parameters) == 8, lyapunov_lo
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x3_parameters, damping_limit) == 0, lyapunov_lolc_storage_f32x3_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x3_parameters, start) == 4, lyapunov_lolc_storage_f32x3_parameters_start);
 typedef struct lyapunov_lolc_storage_f32x3 {
-    /* Set by init: 0x5c63ff94. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6cc16f6b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -4729,7 +4729,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x3_parameters) == 16, lyapunov_l
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x3_parameters, damping_limit) == 0, lyapunov_lolc_storage_f64x3_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x3_parameters, start) == 8, lyapunov_lolc_storage_f64x3_parameters_start);
 typedef struct lyapunov_lolc_storage_f64x3 {
-    /* Set by init: 0x4c8e96a3. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x577ce038. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -4779,7 +4779,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32x6_parameters) == 8, lyapunov_lo
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x6_parameters, damping_limit) == 0, lyapunov_lolc_storage_f32x6_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32x6_parameters, start) == 4, lyapunov_lolc_storage_f32x6_parameters_start);
 typedef struct lyapunov_lolc_storage_f32x6 {
-    /* Set by init: 0x5963fadb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6fc17424. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -4829,7 +4829,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64x6_parameters) == 16, lyapunov_l
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x6_parameters, damping_limit) == 0, lyapunov_lolc_storage_f64x6_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64x6_parameters, start) == 8, lyapunov_lolc_storage_f64x6_parameters_start);
 typedef struct lyapunov_lolc_storage_f64x6 {
-    /* Set by init: 0x4f8e9b5c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5c7ce817. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -4879,7 +4879,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f32screw_parameters) == 8, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32screw_parameters, damping_limit) == 0, lyapunov_lolc_storage_f32screw_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f32screw_parameters, start) == 4, lyapunov_lolc_storage_f32screw_parameters_start);
 typedef struct lyapunov_lolc_storage_f32screw {
-    /* Set by init: 0x22267a47. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x439c2696. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -4929,7 +4929,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_storage_f64screw_parameters) == 16, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64screw_parameters, damping_limit) == 0, lyapunov_lolc_storage_f64screw_parameters_damping_limit);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_storage_f64screw_parameters, start) == 8, lyapunov_lolc_storage_f64screw_parameters_start);
 typedef struct lyapunov_lolc_storage_f64screw {
-    /* Set by init: 0x0924220e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x25838243. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -4986,7 +4986,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f32_parameters, wall_damping) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f32_parameters, surface) == 8, lyapunov_lolc_in_contact_f32_parameters_surface);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f32_parameters, budget) == 12, lyapunov_lolc_in_contact_f32_parameters_budget);
 typedef struct lyapunov_lolc_in_contact_f32 {
-    /* Set by init: 0x6f26c3c0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3b9c9efd. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -5042,7 +5042,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f64_parameters, wall_damping) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f64_parameters, surface) == 16, lyapunov_lolc_in_contact_f64_parameters_surface);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_in_contact_f64_parameters, budget) == 24, lyapunov_lolc_in_contact_f64_parameters_budget);
 typedef struct lyapunov_lolc_in_contact_f64 {
-    /* Set by init: 0x031f5df7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x378fccbe. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -5087,7 +5087,7 @@ typedef struct lyapunov_lolc_sampled_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f32_parameters) == 12, lyapunov_lolc_sampled_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32_parameters, lolc) == 0, lyapunov_lolc_sampled_f32_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f32 {
-    /* Set by init: 0x756d826e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x54ab3c29. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -5132,7 +5132,7 @@ typedef struct lyapunov_lolc_sampled_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f64_parameters) == 24, lyapunov_lolc_sampled_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64_parameters, lolc) == 0, lyapunov_lolc_sampled_f64_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f64 {
-    /* Set by init: 0x6d7a41c9. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x68b2e0ea. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -5177,7 +5177,7 @@ typedef struct lyapunov_lolc_sampled_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f32x3_parameters) == 12, lyapunov_lolc_sampled_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32x3_parameters, lolc) == 0, lyapunov_lolc_sampled_f32x3_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f32x3 {
-    /* Set by init: 0x1114bc43. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x009c9e10. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -5222,7 +5222,7 @@ typedef struct lyapunov_lolc_sampled_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f64x3_parameters) == 24, lyapunov_lolc_sampled_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64x3_parameters, lolc) == 0, lyapunov_lolc_sampled_f64x3_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f64x3 {
-    /* Set by init: 0x60d52db0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2c87c77f. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -5267,7 +5267,7 @@ typedef struct lyapunov_lolc_sampled_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f32x6_parameters) == 12, lyapunov_lolc_sampled_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32x6_parameters, lolc) == 0, lyapunov_lolc_sampled_f32x6_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f32x6 {
-    /* Set by init: 0x1414c0fc. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x059ca5ef. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -5312,7 +5312,7 @@ typedef struct lyapunov_lolc_sampled_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f64x6_parameters) == 24, lyapunov_lolc_sampled_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64x6_parameters, lolc) == 0, lyapunov_lolc_sampled_f64x6_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f64x6 {
-    /* Set by init: 0x65d5358f. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2787bfa0. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -5358,7 +5358,7 @@ typedef struct lyapunov_lolc_sampled_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f32screw_parameters) == 12, lyapunov_lolc_sampled_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f32screw_parameters, lolc) == 0, lyapunov_lolc_sampled_f32screw_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f32screw {
-    /* Set by init: 0x62e7812e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0abd8b7b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[3];
@@ -5404,7 +5404,7 @@ typedef struct lyapunov_lolc_sampled_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_sampled_f64screw_parameters) == 24, lyapunov_lolc_sampled_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_sampled_f64screw_parameters, lolc) == 0, lyapunov_lolc_sampled_f64screw_parameters_lolc);
 typedef struct lyapunov_lolc_sampled_f64screw {
-    /* Set by init: 0x1730ad9b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2ca54c92. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[3];
@@ -5449,7 +5449,7 @@ typedef struct lyapunov_lolc_compensated_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f32_parameters) == 12, lyapunov_lolc_compensated_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32_parameters, lolc) == 0, lyapunov_lolc_compensated_f32_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f32 {
-    /* Set by init: 0x05c06d69. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1f3c1602. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -5494,7 +5494,7 @@ typedef struct lyapunov_lolc_compensated_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f64_parameters) == 24, lyapunov_lolc_compensated_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64_parameters, lolc) == 0, lyapunov_lolc_compensated_f64_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f64 {
-    /* Set by init: 0x19c8122a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2f34a9ed. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -5539,7 +5539,7 @@ typedef struct lyapunov_lolc_compensated_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f32x3_parameters) == 12, lyapunov_lolc_compensated_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32x3_parameters, lolc) == 0, lyapunov_lolc_compensated_f32x3_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f32x3 {
-    /* Set by init: 0x1d091cd0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6a4fa607. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -5584,7 +5584,7 @@ typedef struct lyapunov_lolc_compensated_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f64x3_parameters) == 24, lyapunov_lolc_compensated_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64x3_parameters, lolc) == 0, lyapunov_lolc_compensated_f64x3_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f64x3 {
-    /* Set by init: 0x4b6eaf3f. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1394d6f4. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -5629,7 +5629,7 @@ typedef struct lyapunov_lolc_compensated_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f32x6_parameters) == 12, lyapunov_lolc_compensated_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32x6_parameters, lolc) == 0, lyapunov_lolc_compensated_f32x6_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f32x6 {
-    /* Set by init: 0x220924af. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x654f9e28. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -5674,7 +5674,7 @@ typedef struct lyapunov_lolc_compensated_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f64x6_parameters) == 24, lyapunov_lolc_compensated_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64x6_parameters, lolc) == 0, lyapunov_lolc_compensated_f64x6_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f64x6 {
-    /* Set by init: 0x466ea760. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1094d23b. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -5719,7 +5719,7 @@ typedef struct lyapunov_lolc_compensated_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f32screw_parameters) == 12, lyapunov_lolc_compensated_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f32screw_parameters, lolc) == 0, lyapunov_lolc_compensated_f32screw_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f32screw {
-    /* Set by init: 0x10efc1bb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x025f163a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -5764,7 +5764,7 @@ typedef struct lyapunov_lolc_compensated_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_lolc_compensated_f64screw_parameters) == 24, lyapunov_lolc_compensated_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_lolc_compensated_f64screw_parameters, lolc) == 0, lyapunov_lolc_compensated_f64screw_parameters_lolc);
 typedef struct lyapunov_lolc_compensated_f64screw {
-    /* Set by init: 0x065e56d2. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2e97f227. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -5811,7 +5811,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f32_parameters) == 16, lyapunov_b
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32_parameters, lolc) == 0, lyapunov_bounded_credit_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32_parameters, most) == 12, lyapunov_bounded_credit_f32_parameters_most);
 typedef struct lyapunov_bounded_credit_f32 {
-    /* Set by init: 0x7146fc38. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x110ff323. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -5858,7 +5858,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f64_parameters) == 32, lyapunov_b
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64_parameters, lolc) == 0, lyapunov_bounded_credit_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64_parameters, most) == 24, lyapunov_bounded_credit_f64_parameters_most);
 typedef struct lyapunov_bounded_credit_f64 {
-    /* Set by init: 0x653f640f. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2116c818. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -5905,7 +5905,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f32x3_parameters) == 16, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x3_parameters, lolc) == 0, lyapunov_bounded_credit_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x3_parameters, most) == 12, lyapunov_bounded_credit_f32x3_parameters_most);
 typedef struct lyapunov_bounded_credit_f32x3 {
-    /* Set by init: 0x75d44689. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x333a7b76. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -5952,7 +5952,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f64x3_parameters) == 32, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x3_parameters, lolc) == 0, lyapunov_bounded_credit_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x3_parameters, most) == 24, lyapunov_bounded_credit_f64x3_parameters_most);
 typedef struct lyapunov_bounded_credit_f64x3 {
-    /* Set by init: 0x40cf0592. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3195dae9. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -5999,7 +5999,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f32x6_parameters) == 16, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x6_parameters, lolc) == 0, lyapunov_bounded_credit_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32x6_parameters, most) == 12, lyapunov_bounded_credit_f32x6_parameters_most);
 typedef struct lyapunov_bounded_credit_f32x6 {
-    /* Set by init: 0x78d44b42. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x383a8355. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -6046,7 +6046,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f64x6_parameters) == 32, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x6_parameters, lolc) == 0, lyapunov_bounded_credit_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64x6_parameters, most) == 24, lyapunov_bounded_credit_f64x6_parameters_most);
 typedef struct lyapunov_bounded_credit_f64x6 {
-    /* Set by init: 0x3dcf00d9. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3495dfa2. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -6093,7 +6093,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f32screw_parameters) == 16, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32screw_parameters, lolc) == 0, lyapunov_bounded_credit_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f32screw_parameters, most) == 12, lyapunov_bounded_credit_f32screw_parameters_most);
 typedef struct lyapunov_bounded_credit_f32screw {
-    /* Set by init: 0x2ca9fdb4. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1c68d301. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -6140,7 +6140,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_bounded_credit_f64screw_parameters) == 32, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64screw_parameters, lolc) == 0, lyapunov_bounded_credit_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_bounded_credit_f64screw_parameters, most) == 24, lyapunov_bounded_credit_f64screw_parameters_most);
 typedef struct lyapunov_bounded_credit_f64screw {
-    /* Set by init: 0x51d95d75. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7b8a4c14. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -6188,7 +6188,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f32_parameters) == 16, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32_parameters, lolc) == 0, lyapunov_windowed_credit_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32_parameters, ticks) == 12, lyapunov_windowed_credit_f32_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f32 {
-    /* Set by init: 0x26ca83a2. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x02a2e54f. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[15];
@@ -6236,7 +6236,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f64_parameters) == 32, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64_parameters, lolc) == 0, lyapunov_windowed_credit_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64_parameters, ticks) == 24, lyapunov_windowed_credit_f64_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f64 {
-    /* Set by init: 0x36c3178d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0a96ef74. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[15];
@@ -6284,7 +6284,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f32x3_parameters) == 16, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x3_parameters, lolc) == 0, lyapunov_windowed_credit_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x3_parameters, ticks) == 12, lyapunov_windowed_credit_f32x3_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f32x3 {
-    /* Set by init: 0x3e99dda7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3b7a5452. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[15];
@@ -6332,7 +6332,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f64x3_parameters) == 32, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x3_parameters, lolc) == 0, lyapunov_windowed_credit_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x3_parameters, ticks) == 24, lyapunov_windowed_credit_f64x3_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f64x3 {
-    /* Set by init: 0x6a597794. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5eebaf75. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[15];
@@ -6380,7 +6380,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f32x6_parameters) == 16, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x6_parameters, lolc) == 0, lyapunov_windowed_credit_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32x6_parameters, ticks) == 12, lyapunov_windowed_credit_f32x6_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f32x6 {
-    /* Set by init: 0x3999d5c8. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x387a4f99. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[15];
@@ -6428,7 +6428,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f64x6_parameters) == 32, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x6_parameters, lolc) == 0, lyapunov_windowed_credit_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64x6_parameters, ticks) == 24, lyapunov_windowed_credit_f64x6_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f64x6 {
-    /* Set by init: 0x675972db. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x59eba796. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[15];
@@ -6476,7 +6476,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f32screw_parameters) == 16, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32screw_parameters, lolc) == 0, lyapunov_windowed_credit_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f32screw_parameters, ticks) == 12, lyapunov_windowed_credit_f32screw_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f32screw {
-    /* Set by init: 0x07317d5a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2695ceb5. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[15];
@@ -6524,7 +6524,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_windowed_credit_f64screw_parameters) == 32, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64screw_parameters, lolc) == 0, lyapunov_windowed_credit_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_windowed_credit_f64screw_parameters, ticks) == 24, lyapunov_windowed_credit_f64screw_parameters_ticks);
 typedef struct lyapunov_windowed_credit_f64screw {
-    /* Set by init: 0x2bf8a247. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x173eadb8. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[15];
@@ -6572,7 +6572,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_contact_reset_f32_parameters) == 16, lyapunov_co
 LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f32_parameters, lolc) == 0, lyapunov_contact_reset_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f32_parameters, surface) == 12, lyapunov_contact_reset_f32_parameters_surface);
 typedef struct lyapunov_contact_reset_f32 {
-    /* Set by init: 0x1bf619f5. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x011aa780. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[6];
@@ -6620,7 +6620,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_contact_reset_f64_parameters) == 32, lyapunov_co
 LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f64_parameters, lolc) == 0, lyapunov_contact_reset_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_contact_reset_f64_parameters, surface) == 24, lyapunov_contact_reset_f64_parameters_surface);
 typedef struct lyapunov_contact_reset_f64 {
-    /* Set by init: 0x17ea1136. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x151341b7. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[6];
@@ -6667,7 +6667,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f32_parameters) == 16, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32_parameters, lolc) == 0, lyapunov_velocity_threshold_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32_parameters, velocity) == 12, lyapunov_velocity_threshold_f32_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f32 {
-    /* Set by init: 0x31532860. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7287c37b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -6714,7 +6714,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f64_parameters) == 32, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64_parameters, lolc) == 0, lyapunov_velocity_threshold_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64_parameters, velocity) == 24, lyapunov_velocity_threshold_f64_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f64 {
-    /* Set by init: 0x454bc297. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x628f2f90. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -6761,7 +6761,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f32x3_parameters) == 16, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x3_parameters, lolc) == 0, lyapunov_velocity_threshold_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x3_parameters, velocity) == 12, lyapunov_velocity_threshold_f32x3_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f32x3 {
-    /* Set by init: 0x6f673221. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x75a4203e. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -6808,7 +6808,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f64x3_parameters) == 32, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x3_parameters, lolc) == 0, lyapunov_velocity_threshold_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x3_parameters, velocity) == 24, lyapunov_velocity_threshold_f64x3_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f64x3 {
-    /* Set by init: 0x57d6900a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4c5eef51. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -6855,7 +6855,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f32x6_parameters) == 16, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x6_parameters, lolc) == 0, lyapunov_velocity_threshold_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32x6_parameters, velocity) == 12, lyapunov_velocity_threshold_f32x6_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f32x6 {
-    /* Set by init: 0x726736da. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7aa4281d. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -6902,7 +6902,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f64x6_parameters) == 32, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x6_parameters, lolc) == 0, lyapunov_velocity_threshold_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64x6_parameters, velocity) == 24, lyapunov_velocity_threshold_f64x6_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f64x6 {
-    /* Set by init: 0x54d68b51. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4f5ef40a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -6949,7 +6949,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f32screw_parameters) == 16, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32screw_parameters, lolc) == 0, lyapunov_velocity_threshold_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f32screw_parameters, velocity) == 12, lyapunov_velocity_threshold_f32screw_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f32screw {
-    /* Set by init: 0x4853c62c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7a3b35a9. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -6996,7 +6996,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_velocity_threshold_f64screw_parameters) == 32, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64screw_parameters, lolc) == 0, lyapunov_velocity_threshold_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_velocity_threshold_f64screw_parameters, velocity) == 24, lyapunov_velocity_threshold_f64screw_parameters_velocity);
 typedef struct lyapunov_velocity_threshold_f64screw {
-    /* Set by init: 0x4594d8ed. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x34e4c25c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -7043,7 +7043,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f32_parameters) == 16, lyapunov_spread_f3
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32_parameters, lolc) == 0, lyapunov_spread_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32_parameters, ticks) == 12, lyapunov_spread_f32_parameters_ticks);
 typedef struct lyapunov_spread_f32 {
-    /* Set by init: 0x0a958af0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x45eb1d63. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7090,7 +7090,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f64_parameters) == 32, lyapunov_spread_f6
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64_parameters, lolc) == 0, lyapunov_spread_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64_parameters, ticks) == 24, lyapunov_spread_f64_parameters_ticks);
 typedef struct lyapunov_spread_f64 {
-    /* Set by init: 0x1e8e2527. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x55f1f258. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7137,7 +7137,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f32x3_parameters) == 16, lyapunov_spread_
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x3_parameters, lolc) == 0, lyapunov_spread_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x3_parameters, ticks) == 12, lyapunov_spread_f32x3_parameters_ticks);
 typedef struct lyapunov_spread_f32x3 {
-    /* Set by init: 0x736abfb1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x26841b36. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7184,7 +7184,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f64x3_parameters) == 32, lyapunov_spread_
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x3_parameters, lolc) == 0, lyapunov_spread_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x3_parameters, ticks) == 24, lyapunov_spread_f64x3_parameters_ticks);
 typedef struct lyapunov_spread_f64x3 {
-    /* Set by init: 0x5bdae71a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x24df7aa9. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7231,7 +7231,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f32x6_parameters) == 16, lyapunov_spread_
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x6_parameters, lolc) == 0, lyapunov_spread_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32x6_parameters, ticks) == 12, lyapunov_spread_f32x6_parameters_ticks);
 typedef struct lyapunov_spread_f32x6 {
-    /* Set by init: 0x766ac46a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2b842315. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7278,7 +7278,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f64x6_parameters) == 32, lyapunov_spread_
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x6_parameters, lolc) == 0, lyapunov_spread_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64x6_parameters, ticks) == 24, lyapunov_spread_f64x6_parameters_ticks);
 typedef struct lyapunov_spread_f64x6 {
-    /* Set by init: 0x58dae261. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x27df7f62. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7325,7 +7325,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f32screw_parameters) == 16, lyapunov_spre
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32screw_parameters, lolc) == 0, lyapunov_spread_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f32screw_parameters, ticks) == 12, lyapunov_spread_f32screw_parameters_ticks);
 typedef struct lyapunov_spread_f32screw {
-    /* Set by init: 0x5899c03c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6c6aa341. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7372,7 +7372,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_spread_f64screw_parameters) == 32, lyapunov_spre
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64screw_parameters, lolc) == 0, lyapunov_spread_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_spread_f64screw_parameters, ticks) == 24, lyapunov_spread_f64screw_parameters_ticks);
 typedef struct lyapunov_spread_f64screw {
-    /* Set by init: 0x553b6f3d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4b8c1c54. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7419,7 +7419,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f32_parameters) == 16, lyapunov_soft_
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32_parameters, lolc) == 0, lyapunov_soft_start_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32_parameters, ticks) == 12, lyapunov_soft_start_f32_parameters_ticks);
 typedef struct lyapunov_soft_start_f32 {
-    /* Set by init: 0x23871188. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x42d084b3. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7466,7 +7466,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f64_parameters) == 32, lyapunov_soft_
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64_parameters, lolc) == 0, lyapunov_soft_start_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64_parameters, ticks) == 24, lyapunov_soft_start_f64_parameters_ticks);
 typedef struct lyapunov_soft_start_f64 {
-    /* Set by init: 0x177f795f. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x52d82328. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7513,7 +7513,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f32x3_parameters) == 16, lyapunov_sof
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x3_parameters, lolc) == 0, lyapunov_soft_start_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x3_parameters, ticks) == 12, lyapunov_soft_start_f32x3_parameters_ticks);
 typedef struct lyapunov_soft_start_f32x3 {
-    /* Set by init: 0x47d2d959. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x03655006. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7560,7 +7560,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f64x3_parameters) == 32, lyapunov_sof
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x3_parameters, lolc) == 0, lyapunov_soft_start_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x3_parameters, ticks) == 24, lyapunov_soft_start_f64x3_parameters_ticks);
 typedef struct lyapunov_soft_start_f64x3 {
-    /* Set by init: 0x10532f62. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x751a54f9. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7607,7 +7607,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f32x6_parameters) == 16, lyapunov_sof
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x6_parameters, lolc) == 0, lyapunov_soft_start_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32x6_parameters, ticks) == 12, lyapunov_soft_start_f32x6_parameters_ticks);
 typedef struct lyapunov_soft_start_f32x6 {
-    /* Set by init: 0x4ad2de12. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x086557e5. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7654,7 +7654,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f64x6_parameters) == 32, lyapunov_sof
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x6_parameters, lolc) == 0, lyapunov_soft_start_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64x6_parameters, ticks) == 24, lyapunov_soft_start_f64x6_parameters_ticks);
 typedef struct lyapunov_soft_start_f64x6 {
-    /* Set by init: 0x0d532aa9. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x781a59b2. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7702,7 +7702,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f32screw_parameters) == 16, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32screw_parameters, lolc) == 0, lyapunov_soft_start_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f32screw_parameters, ticks) == 12, lyapunov_soft_start_f32screw_parameters_ticks);
 typedef struct lyapunov_soft_start_f32screw {
-    /* Set by init: 0x307561c4. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x23e17d51. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7750,7 +7750,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_soft_start_f64screw_parameters) == 32, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64screw_parameters, lolc) == 0, lyapunov_soft_start_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_soft_start_f64screw_parameters, ticks) == 24, lyapunov_soft_start_f64screw_parameters_ticks);
 typedef struct lyapunov_soft_start_f64screw {
-    /* Set by init: 0x2e5cfe85. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x30795be4. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7797,7 +7797,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f32_parameters) == 16, lyapunov_rate_
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32_parameters, lolc) == 0, lyapunov_rate_limit_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32_parameters, rate) == 12, lyapunov_rate_limit_f32_parameters_rate);
 typedef struct lyapunov_rate_limit_f32 {
-    /* Set by init: 0x523a5ee5. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x715d7ed6. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -7844,7 +7844,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f64_parameters) == 32, lyapunov_rate_
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64_parameters, lolc) == 0, lyapunov_rate_limit_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64_parameters, rate) == 24, lyapunov_rate_limit_f64_parameters_rate);
 typedef struct lyapunov_rate_limit_f64 {
-    /* Set by init: 0x4e2d8ca6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0969a711. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -7891,7 +7891,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f32x3_parameters) == 16, lyapunov_rat
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x3_parameters, lolc) == 0, lyapunov_rate_limit_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x3_parameters, rate) == 12, lyapunov_rate_limit_f32x3_parameters_rate);
 typedef struct lyapunov_rate_limit_f32x3 {
-    /* Set by init: 0x0341827c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4e13c69b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -7938,7 +7938,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f64x3_parameters) == 32, lyapunov_rat
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x3_parameters, lolc) == 0, lyapunov_rate_limit_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x3_parameters, rate) == 24, lyapunov_rate_limit_f64x3_parameters_rate);
 typedef struct lyapunov_rate_limit_f64x3 {
-    /* Set by init: 0x228c45eb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x47effae8. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -7985,7 +7985,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f32x6_parameters) == 16, lyapunov_rat
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x6_parameters, lolc) == 0, lyapunov_rate_limit_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32x6_parameters, rate) == 12, lyapunov_rate_limit_f32x6_parameters_rate);
 typedef struct lyapunov_rate_limit_f32x6 {
-    /* Set by init: 0x00417dc3. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5113cb54. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -8032,7 +8032,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f64x6_parameters) == 32, lyapunov_rat
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x6_parameters, lolc) == 0, lyapunov_rate_limit_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64x6_parameters, rate) == 24, lyapunov_rate_limit_f64x6_parameters_rate);
 typedef struct lyapunov_rate_limit_f64x6 {
-    /* Set by init: 0x258c4aa4. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4cf002c7. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -8079,7 +8079,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f32screw_parameters) == 16, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32screw_parameters, lolc) == 0, lyapunov_rate_limit_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f32screw_parameters, rate) == 12, lyapunov_rate_limit_f32screw_parameters_rate);
 typedef struct lyapunov_rate_limit_f32screw {
-    /* Set by init: 0x5af21ccf. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1646b846. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -8126,7 +8126,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_rate_limit_f64screw_parameters) == 32, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64screw_parameters, lolc) == 0, lyapunov_rate_limit_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_rate_limit_f64screw_parameters, rate) == 24, lyapunov_rate_limit_f64screw_parameters_rate);
 typedef struct lyapunov_rate_limit_f64screw {
-    /* Set by init: 0x11047e16. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5e01b9b3. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -8174,7 +8174,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f32_parameters) == 16, lyapunov_axi
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32_parameters, lolc) == 0, lyapunov_axis_weights_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32_parameters, weights) == 12, lyapunov_axis_weights_f32_parameters_weights);
 typedef struct lyapunov_axis_weights_f32 {
-    /* Set by init: 0x34996880. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x39fe0697. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -8222,7 +8222,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f64_parameters) == 32, lyapunov_axi
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64_parameters, lolc) == 0, lyapunov_axis_weights_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64_parameters, weights) == 24, lyapunov_axis_weights_f64_parameters_weights);
 typedef struct lyapunov_axis_weights_f64 {
-    /* Set by init: 0x489202b7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x21f1de5c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -8270,7 +8270,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f32x3_parameters) == 24, lyapunov_a
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x3_parameters, lolc) == 0, lyapunov_axis_weights_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x3_parameters, weights) == 12, lyapunov_axis_weights_f32x3_parameters_weights);
 typedef struct lyapunov_axis_weights_f32x3 {
-    /* Set by init: 0x43e22941. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x315c740a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -8318,7 +8318,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f64x3_parameters) == 48, lyapunov_a
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x3_parameters, lolc) == 0, lyapunov_axis_weights_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x3_parameters, weights) == 24, lyapunov_axis_weights_f64x3_parameters_weights);
 typedef struct lyapunov_axis_weights_f64x3 {
-    /* Set by init: 0x29d7e7aa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3759304d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -8366,7 +8366,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f32x6_parameters) == 36, lyapunov_a
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x6_parameters, lolc) == 0, lyapunov_axis_weights_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32x6_parameters, weights) == 12, lyapunov_axis_weights_f32x6_parameters_weights);
 typedef struct lyapunov_axis_weights_f32x6 {
-    /* Set by init: 0x46e22dfa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2e5c6f51. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -8414,7 +8414,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f64x6_parameters) == 72, lyapunov_a
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x6_parameters, lolc) == 0, lyapunov_axis_weights_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64x6_parameters, weights) == 24, lyapunov_axis_weights_f64x6_parameters_weights);
 typedef struct lyapunov_axis_weights_f64x6 {
-    /* Set by init: 0x26d7e2f1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3259286e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -8462,7 +8462,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f32screw_parameters) == 36, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32screw_parameters, lolc) == 0, lyapunov_axis_weights_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f32screw_parameters, weights) == 12, lyapunov_axis_weights_f32screw_parameters_weights);
 typedef struct lyapunov_axis_weights_f32screw {
-    /* Set by init: 0x7bd8cbcc. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x763aa4ed. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -8510,7 +8510,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_axis_weights_f64screw_parameters) == 72, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64screw_parameters, lolc) == 0, lyapunov_axis_weights_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_axis_weights_f64screw_parameters, weights) == 24, lyapunov_axis_weights_f64screw_parameters_weights);
 typedef struct lyapunov_axis_weights_f64screw {
-    /* Set by init: 0x51d21b8d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x517469d0. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -8558,7 +8558,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f32_parameters) == 16, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32_parameters, lolc) == 0, lyapunov_along_direction_f32_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32_parameters, direction) == 12, lyapunov_along_direction_f32_parameters_direction);
 typedef struct lyapunov_along_direction_f32 {
-    /* Set by init: 0x5a2044b6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x23be080f. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -8606,7 +8606,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f64_parameters) == 32, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64_parameters, lolc) == 0, lyapunov_along_direction_f64_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64_parameters, direction) == 24, lyapunov_along_direction_f64_parameters_direction);
 typedef struct lyapunov_along_direction_f64 {
-    /* Set by init: 0x722c6cf1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2bb21234. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -8654,7 +8654,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f32x3_parameters) == 24, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x3_parameters, lolc) == 0, lyapunov_along_direction_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x3_parameters, direction) == 12, lyapunov_along_direction_f32x3_parameters_direction);
 typedef struct lyapunov_along_direction_f32x3 {
-    /* Set by init: 0x24a2ae7b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x04e84992. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -8702,7 +8702,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f64x3_parameters) == 48, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x3_parameters, lolc) == 0, lyapunov_along_direction_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x3_parameters, direction) == 24, lyapunov_along_direction_f64x3_parameters_direction);
 typedef struct lyapunov_along_direction_f64x3 {
-    /* Set by init: 0x1c03b048. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2859a4b5. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -8750,7 +8750,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f32x6_parameters) == 36, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x6_parameters, lolc) == 0, lyapunov_along_direction_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32x6_parameters, direction) == 12, lyapunov_along_direction_f32x6_parameters_direction);
 typedef struct lyapunov_along_direction_f32x6 {
-    /* Set by init: 0x27a2b334. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x01e844d9. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -8798,7 +8798,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f64x6_parameters) == 72, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x6_parameters, lolc) == 0, lyapunov_along_direction_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64x6_parameters, direction) == 24, lyapunov_along_direction_f64x6_parameters_direction);
 typedef struct lyapunov_along_direction_f64x6 {
-    /* Set by init: 0x2103b827. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x23599cd6. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -8846,7 +8846,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f32screw_parameters) == 36, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32screw_parameters, lolc) == 0, lyapunov_along_direction_f32screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f32screw_parameters, direction) == 12, lyapunov_along_direction_f32screw_parameters_direction);
 typedef struct lyapunov_along_direction_f32screw {
-    /* Set by init: 0x6bd085a6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x07cc4975. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -8894,7 +8894,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_along_direction_f64screw_parameters) == 72, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64screw_parameters, lolc) == 0, lyapunov_along_direction_f64screw_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_along_direction_f64screw_parameters, direction) == 24, lyapunov_along_direction_f64screw_parameters_direction);
 typedef struct lyapunov_along_direction_f64screw {
-    /* Set by init: 0x0c43c413. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x49ba1b78. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -8942,7 +8942,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x3_parameters) == 48, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3_parameters, lolc) == 0, lyapunov_inertia_metric_f32x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x3_parameters, inertia) == 12, lyapunov_inertia_metric_f32x3_parameters_inertia);
 typedef struct lyapunov_inertia_metric_f32x3 {
-    /* Set by init: 0x0fef807d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x17ed9c66. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[14];
@@ -8990,7 +8990,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x3_parameters) == 96, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3_parameters, lolc) == 0, lyapunov_inertia_metric_f64x3_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x3_parameters, inertia) == 24, lyapunov_inertia_metric_f64x3_parameters_inertia);
 typedef struct lyapunov_inertia_metric_f64x3 {
-    /* Set by init: 0x79e5e406. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x09a36ad9. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[14];
@@ -9038,7 +9038,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f32x6_parameters) == 156, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6_parameters, lolc) == 0, lyapunov_inertia_metric_f32x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f32x6_parameters, inertia) == 12, lyapunov_inertia_metric_f32x6_parameters_inertia);
 typedef struct lyapunov_inertia_metric_f32x6 {
-    /* Set by init: 0x0aef789e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1ceda445. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[41];
@@ -9086,7 +9086,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_inertia_metric_f64x6_parameters) == 312, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6_parameters, lolc) == 0, lyapunov_inertia_metric_f64x6_parameters_lolc);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_metric_f64x6_parameters, inertia) == 24, lyapunov_inertia_metric_f64x6_parameters_inertia);
 typedef struct lyapunov_inertia_metric_f64x6 {
-    /* Set by init: 0x7ee5ebe5. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0ca36f92. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[41];
@@ -9143,7 +9143,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, cap) == 48, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, period) == 52, lyapunov_inertia_limit_f32x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x3_parameters, late) == 56, lyapunov_inertia_limit_f32x3_parameters_late);
 typedef struct lyapunov_inertia_limit_f32x3 {
-    /* Set by init: 0x43c7906e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x79ecbd27. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[13];
@@ -9200,7 +9200,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, cap) == 96, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, period) == 104, lyapunov_inertia_limit_f64x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x3_parameters, late) == 112, lyapunov_inertia_limit_f64x3_parameters_late);
 typedef struct lyapunov_inertia_limit_f64x3 {
-    /* Set by init: 0x1807f681. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x25ac5714. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[13];
@@ -9257,7 +9257,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, cap) == 156, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, period) == 160, lyapunov_inertia_limit_f32x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f32x6_parameters, late) == 164, lyapunov_inertia_limit_f32x6_parameters_late);
 typedef struct lyapunov_inertia_limit_f32x6 {
-    /* Set by init: 0x48c7984d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x74ecb548. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[40];
@@ -9314,7 +9314,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, cap) == 312, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, period) == 320, lyapunov_inertia_limit_f64x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_inertia_limit_f64x6_parameters, late) == 328, lyapunov_inertia_limit_f64x6_parameters_late);
 typedef struct lyapunov_inertia_limit_f64x6 {
-    /* Set by init: 0x1b07fb3a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x22ac525b. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[40];
@@ -9365,7 +9365,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32_parameters, lolc) == 0, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32_parameters, speed) == 12, lyapunov_plausible_f32_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32_parameters, effort) == 16, lyapunov_plausible_f32_parameters_effort);
 typedef struct lyapunov_plausible_f32 {
-    /* Set by init: 0x6d6463aa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6649571f. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -9416,7 +9416,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64_parameters, lolc) == 0, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64_parameters, speed) == 24, lyapunov_plausible_f64_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64_parameters, effort) == 32, lyapunov_plausible_f64_parameters_effort);
 typedef struct lyapunov_plausible_f64 {
-    /* Set by init: 0x5d5cc535. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6e3d6144. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -9467,7 +9467,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x3_parameters, lolc) == 0, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x3_parameters, speed) == 12, lyapunov_plausible_f32x3_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x3_parameters, effort) == 16, lyapunov_plausible_f32x3_parameters_effort);
 typedef struct lyapunov_plausible_f32x3 {
-    /* Set by init: 0x38631cbf. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5189d7a2. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -9518,7 +9518,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x3_parameters, lolc) == 0, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x3_parameters, speed) == 24, lyapunov_plausible_f64x3_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x3_parameters, effort) == 32, lyapunov_plausible_f64x3_parameters_effort);
 typedef struct lyapunov_plausible_f64x3 {
-    /* Set by init: 0x46ad4e4c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x74fb32c5. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -9569,7 +9569,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x6_parameters, lolc) == 0, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x6_parameters, speed) == 12, lyapunov_plausible_f32x6_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32x6_parameters, effort) == 16, lyapunov_plausible_f32x6_parameters_effort);
 typedef struct lyapunov_plausible_f32x6 {
-    /* Set by init: 0x336314e0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4e89d2e9. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -9620,7 +9620,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x6_parameters, lolc) == 0, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x6_parameters, speed) == 24, lyapunov_plausible_f64x6_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64x6_parameters, effort) == 32, lyapunov_plausible_f64x6_parameters_effort);
 typedef struct lyapunov_plausible_f64x6 {
-    /* Set by init: 0x43ad4993. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6ffb2ae6. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -9671,7 +9671,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32screw_parameters, lolc) == 0, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32screw_parameters, speed) == 12, lyapunov_plausible_f32screw_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f32screw_parameters, effort) == 16, lyapunov_plausible_f32screw_parameters_effort);
 typedef struct lyapunov_plausible_f32screw {
-    /* Set by init: 0x3b8aeb52. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x32c1cc45. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -9722,7 +9722,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64screw_parameters, lolc) == 0, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64screw_parameters, speed) == 24, lyapunov_plausible_f64screw_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_plausible_f64screw_parameters, effort) == 32, lyapunov_plausible_f64screw_parameters_effort);
 typedef struct lyapunov_plausible_f64screw {
-    /* Set by init: 0x2da037df. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x101e2408. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -9773,7 +9773,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32_parameters, lolc) == 0, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32_parameters, hold) == 12, lyapunov_watchdog_f32_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32_parameters, rise) == 16, lyapunov_watchdog_f32_parameters_rise);
 typedef struct lyapunov_watchdog_f32 {
-    /* Set by init: 0x5f97e34c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0572dfb7. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[8];
@@ -9824,7 +9824,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64_parameters, lolc) == 0, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64_parameters, hold) == 24, lyapunov_watchdog_f64_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64_parameters, rise) == 32, lyapunov_watchdog_f64_parameters_rise);
 typedef struct lyapunov_watchdog_f64 {
-    /* Set by init: 0x5ba4a8f3. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6d66b77c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[8];
@@ -9875,7 +9875,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x3_parameters, lolc) == 0, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x3_parameters, hold) == 12, lyapunov_watchdog_f32x3_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x3_parameters, rise) == 16, lyapunov_watchdog_f32x3_parameters_rise);
 typedef struct lyapunov_watchdog_f32x3 {
-    /* Set by init: 0x28fb163d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x05648caa. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -9926,7 +9926,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x3_parameters, lolc) == 0, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x3_parameters, hold) == 24, lyapunov_watchdog_f64x3_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x3_parameters, rise) == 32, lyapunov_watchdog_f64x3_parameters_rise);
 typedef struct lyapunov_watchdog_f64x3 {
-    /* Set by init: 0x12f179c6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0b6148ed. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -9977,7 +9977,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x6_parameters, lolc) == 0, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x6_parameters, hold) == 12, lyapunov_watchdog_f32x6_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32x6_parameters, rise) == 16, lyapunov_watchdog_f32x6_parameters_rise);
 typedef struct lyapunov_watchdog_f32x6 {
-    /* Set by init: 0x23fb0e5e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x026487f1. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[13];
@@ -10028,7 +10028,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x6_parameters, lolc) == 0, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x6_parameters, hold) == 24, lyapunov_watchdog_f64x6_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64x6_parameters, rise) == 32, lyapunov_watchdog_f64x6_parameters_rise);
 typedef struct lyapunov_watchdog_f64x6 {
-    /* Set by init: 0x17f181a5. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0661410e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[13];
@@ -10079,7 +10079,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32screw_parameters, lolc) == 0, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32screw_parameters, hold) == 12, lyapunov_watchdog_f32screw_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f32screw_parameters, rise) == 16, lyapunov_watchdog_f32screw_parameters_rise);
 typedef struct lyapunov_watchdog_f32screw {
-    /* Set by init: 0x59a8d740. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3965728d. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[13];
@@ -10130,7 +10130,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64screw_parameters, lolc) == 0, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64screw_parameters, hold) == 24, lyapunov_watchdog_f64screw_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_watchdog_f64screw_parameters, rise) == 32, lyapunov_watchdog_f64screw_parameters_rise);
 typedef struct lyapunov_watchdog_f64screw {
-    /* Set by init: 0x59a6d991. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x149f3770. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[13];
@@ -10195,7 +10195,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32_parameters, effort) == 24, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32_parameters, hold) == 28, lyapunov_safeguarded_f32_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32_parameters, rise) == 32, lyapunov_safeguarded_f32_parameters_rise);
 typedef struct lyapunov_safeguarded_f32 {
-    /* Set by init: 0x5b0fc0aa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5a3897eb. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[13];
@@ -10260,7 +10260,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64_parameters, effort) == 48, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64_parameters, hold) == 56, lyapunov_safeguarded_f64_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64_parameters, rise) == 64, lyapunov_safeguarded_f64_parameters_rise);
 typedef struct lyapunov_safeguarded_f64 {
-    /* Set by init: 0x4b082235. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4a400400. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[13];
@@ -10325,7 +10325,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x3_parameters, effort) == 24, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x3_parameters, hold) == 28, lyapunov_safeguarded_f32x3_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x3_parameters, rise) == 32, lyapunov_safeguarded_f32x3_parameters_rise);
 typedef struct lyapunov_safeguarded_f32x3 {
-    /* Set by init: 0x17fe41bf. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6b9821ae. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[17];
@@ -10390,7 +10390,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x3_parameters, effort) == 48, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x3_parameters, hold) == 56, lyapunov_safeguarded_f64x3_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x3_parameters, rise) == 64, lyapunov_safeguarded_f64x3_parameters_rise);
 typedef struct lyapunov_safeguarded_f64x3 {
-    /* Set by init: 0x2648734c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4252f0c1. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[17];
@@ -10455,7 +10455,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x6_parameters, effort) == 24, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x6_parameters, hold) == 28, lyapunov_safeguarded_f32x6_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32x6_parameters, rise) == 32, lyapunov_safeguarded_f32x6_parameters_rise);
 typedef struct lyapunov_safeguarded_f32x6 {
-    /* Set by init: 0x12fe39e0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7098298d. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[23];
@@ -10520,7 +10520,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x6_parameters, effort) == 48, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x6_parameters, hold) == 56, lyapunov_safeguarded_f64x6_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64x6_parameters, rise) == 64, lyapunov_safeguarded_f64x6_parameters_rise);
 typedef struct lyapunov_safeguarded_f64x6 {
-    /* Set by init: 0x23486e93. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4552f57a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[23];
@@ -10585,7 +10585,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32screw_parameters, effort) == 24
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32screw_parameters, hold) == 28, lyapunov_safeguarded_f32screw_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f32screw_parameters, rise) == 32, lyapunov_safeguarded_f32screw_parameters_rise);
 typedef struct lyapunov_safeguarded_f32screw {
-    /* Set by init: 0x76ddc252. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x369e1b59. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[23];
@@ -10650,7 +10650,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64screw_parameters, effort) == 48
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64screw_parameters, hold) == 56, lyapunov_safeguarded_f64screw_parameters_hold);
 LYAPUNOV_ASSERT(offsetof(lyapunov_safeguarded_f64screw_parameters, rise) == 64, lyapunov_safeguarded_f64screw_parameters_rise);
 typedef struct lyapunov_safeguarded_f64screw {
-    /* Set by init: 0x68f30edf. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1f61be4c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[23];
@@ -10695,7 +10695,7 @@ typedef struct lyapunov_per_axis_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_per_axis_f32x3_parameters) == 36, lyapunov_per_axis_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f32x3_parameters, axes) == 0, lyapunov_per_axis_f32x3_parameters_axes);
 typedef struct lyapunov_per_axis_f32x3 {
-    /* Set by init: 0x20c1aa3b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x39775294. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[9];
@@ -10732,7 +10732,7 @@ typedef struct lyapunov_per_axis_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_per_axis_f64x3_parameters) == 72, lyapunov_per_axis_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f64x3_parameters, axes) == 0, lyapunov_per_axis_f64x3_parameters_axes);
 typedef struct lyapunov_per_axis_f64x3 {
-    /* Set by init: 0x1a9d1508. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x29a1e9a3. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[9];
@@ -10769,7 +10769,7 @@ typedef struct lyapunov_per_axis_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_per_axis_f32x6_parameters) == 72, lyapunov_per_axis_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f32x6_parameters, axes) == 0, lyapunov_per_axis_f32x6_parameters_axes);
 typedef struct lyapunov_per_axis_f32x6 {
-    /* Set by init: 0x23c1aef4. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x36774ddb. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[18];
@@ -10806,7 +10806,7 @@ typedef struct lyapunov_per_axis_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_per_axis_f64x6_parameters) == 144, lyapunov_per_axis_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_axis_f64x6_parameters, axes) == 0, lyapunov_per_axis_f64x6_parameters_axes);
 typedef struct lyapunov_per_axis_f64x6 {
-    /* Set by init: 0x1f9d1ce7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2ca1ee5c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[18];
@@ -10845,7 +10845,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_per_part_f32screw_parameters) == 24, lyapunov_pe
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f32screw_parameters, translation) == 0, lyapunov_per_part_f32screw_parameters_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f32screw_parameters, rotation) == 12, lyapunov_per_part_f32screw_parameters_rotation);
 typedef struct lyapunov_per_part_f32screw {
-    /* Set by init: 0x0d2b41ce. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1ae08e43. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[6];
@@ -10884,7 +10884,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_per_part_f64screw_parameters) == 48, lyapunov_pe
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f64screw_parameters, translation) == 0, lyapunov_per_part_f64screw_parameters_translation);
 LYAPUNOV_ASSERT(offsetof(lyapunov_per_part_f64screw_parameters, rotation) == 24, lyapunov_per_part_f64screw_parameters_rotation);
 typedef struct lyapunov_per_part_f64screw {
-    /* Set by init: 0x6f30aebb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4314aa7a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[6];
@@ -10934,7 +10934,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f32screw_parameters, translation_d
 LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f32screw_parameters, rotation_damping) == 12, lyapunov_part_limits_f32screw_parameters_rotation_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f32screw_parameters, budget) == 16, lyapunov_part_limits_f32screw_parameters_budget);
 typedef struct lyapunov_part_limits_f32screw {
-    /* Set by init: 0x400b4949. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2b414bbe. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[11];
@@ -10992,7 +10992,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f64screw_parameters, translation_d
 LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f64screw_parameters, rotation_damping) == 24, lyapunov_part_limits_f64screw_parameters_rotation_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_part_limits_f64screw_parameters, budget) == 32, lyapunov_part_limits_f64screw_parameters_budget);
 typedef struct lyapunov_part_limits_f64screw {
-    /* Set by init: 0x55e77bfc. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x463dc32b. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[11];
@@ -11036,7 +11036,7 @@ typedef struct lyapunov_force_bound_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32_parameters) == 4, lyapunov_force_bound_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32_parameters, damping) == 0, lyapunov_force_bound_f32_parameters_damping);
 typedef struct lyapunov_force_bound_f32 {
-    /* Set by init: 0x1a7306cd. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x51bc1c10. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11080,7 +11080,7 @@ typedef struct lyapunov_force_bound_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64_parameters) == 8, lyapunov_force_bound_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64_parameters, damping) == 0, lyapunov_force_bound_f64_parameters_damping);
 typedef struct lyapunov_force_bound_f64 {
-    /* Set by init: 0x1666fe0e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x65b4b647. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11124,7 +11124,7 @@ typedef struct lyapunov_force_bound_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32x3_parameters) == 4, lyapunov_force_bound_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32x3_parameters, damping) == 0, lyapunov_force_bound_f32x3_parameters_damping);
 typedef struct lyapunov_force_bound_f32x3 {
-    /* Set by init: 0x02c9e454. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2780efd1. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11168,7 +11168,7 @@ typedef struct lyapunov_force_bound_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64x3_parameters) == 8, lyapunov_force_bound_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64x3_parameters, damping) == 0, lyapunov_force_bound_f64x3_parameters_damping);
 typedef struct lyapunov_force_bound_f64x3 {
-    /* Set by init: 0x756ee463. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0d76ae3a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11212,7 +11212,7 @@ typedef struct lyapunov_force_bound_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32x6_parameters) == 4, lyapunov_force_bound_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32x6_parameters, damping) == 0, lyapunov_force_bound_f32x6_parameters_damping);
 typedef struct lyapunov_force_bound_f32x6 {
-    /* Set by init: 0x7fc9df9b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2a80f48a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11256,7 +11256,7 @@ typedef struct lyapunov_force_bound_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64x6_parameters) == 8, lyapunov_force_bound_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64x6_parameters, damping) == 0, lyapunov_force_bound_f64x6_parameters_damping);
 typedef struct lyapunov_force_bound_f64x6 {
-    /* Set by init: 0x786ee91c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0a76a981. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11300,7 +11300,7 @@ typedef struct lyapunov_force_bound_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32screw_parameters) == 4, lyapunov_force_bound_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f32screw_parameters, damping) == 0, lyapunov_force_bound_f32screw_parameters_damping);
 typedef struct lyapunov_force_bound_f32screw {
-    /* Set by init: 0x49750c87. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x213467dc. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11344,7 +11344,7 @@ typedef struct lyapunov_force_bound_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64screw_parameters) == 8, lyapunov_force_bound_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bound_f64screw_parameters, damping) == 0, lyapunov_force_bound_f64screw_parameters_damping);
 typedef struct lyapunov_force_bound_f64screw {
-    /* Set by init: 0x0fb4484e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7908bcdd. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11388,7 +11388,7 @@ typedef struct lyapunov_force_bounding_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32_parameters) == 4, lyapunov_force_bounding_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32_parameters, damping) == 0, lyapunov_force_bounding_f32_parameters_damping);
 typedef struct lyapunov_force_bounding_f32 {
-    /* Set by init: 0x22fbd2bb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x085eeb00. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11432,7 +11432,7 @@ typedef struct lyapunov_force_bounding_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64_parameters) == 8, lyapunov_force_bounding_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64_parameters, damping) == 0, lyapunov_force_bounding_f64_parameters_damping);
 typedef struct lyapunov_force_bounding_f64 {
-    /* Set by init: 0x13033ed0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1c578537. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11476,7 +11476,7 @@ typedef struct lyapunov_force_bounding_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32x3_parameters) == 4, lyapunov_force_bounding_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32x3_parameters, damping) == 0, lyapunov_force_bounding_f32x3_parameters_damping);
 typedef struct lyapunov_force_bounding_f32x3 {
-    /* Set by init: 0x444015fe. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4515afc1. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11520,7 +11520,7 @@ typedef struct lyapunov_force_bounding_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64x3_parameters) == 8, lyapunov_force_bounding_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64x3_parameters, damping) == 0, lyapunov_force_bounding_f64x3_parameters_damping);
 typedef struct lyapunov_force_bounding_f64x3 {
-    /* Set by init: 0x18807c11. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2b0b6e2a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11564,7 +11564,7 @@ typedef struct lyapunov_force_bounding_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32x6_parameters) == 4, lyapunov_force_bounding_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32x6_parameters, damping) == 0, lyapunov_force_bounding_f32x6_parameters_damping);
 typedef struct lyapunov_force_bounding_f32x6 {
-    /* Set by init: 0x49401ddd. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4815b47a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11608,7 +11608,7 @@ typedef struct lyapunov_force_bounding_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64x6_parameters) == 8, lyapunov_force_bounding_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64x6_parameters, damping) == 0, lyapunov_force_bounding_f64x6_parameters_damping);
 typedef struct lyapunov_force_bounding_f64x6 {
-    /* Set by init: 0x1b8080ca. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x280b6971. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11652,7 +11652,7 @@ typedef struct lyapunov_force_bounding_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32screw_parameters) == 4, lyapunov_force_bounding_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f32screw_parameters, damping) == 0, lyapunov_force_bounding_f32screw_parameters_damping);
 typedef struct lyapunov_force_bounding_f32screw {
-    /* Set by init: 0x4e8a48e9. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x33fcb34c. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -11696,7 +11696,7 @@ typedef struct lyapunov_force_bounding_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64screw_parameters) == 8, lyapunov_force_bounding_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_force_bounding_f64screw_parameters, damping) == 0, lyapunov_force_bounding_f64screw_parameters_damping);
 typedef struct lyapunov_force_bounding_f64screw {
-    /* Set by init: 0x775a6a9c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x09f6030d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -11752,7 +11752,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32_parameters, ceiling) == 8, lyapunov_t
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32_parameters, power) == 12, lyapunov_tank_f32_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32_parameters, device_damping) == 16, lyapunov_tank_f32_parameters_device_damping);
 typedef struct lyapunov_tank_f32 {
-    /* Set by init: 0x47106b3b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x63e22fdc. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -11808,7 +11808,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64_parameters, ceiling) == 16, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64_parameters, power) == 24, lyapunov_tank_f64_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64_parameters, device_damping) == 32, lyapunov_tank_f64_parameters_device_damping);
 typedef struct lyapunov_tank_f64 {
-    /* Set by init: 0x3717d750. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5fee2c03. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -11864,7 +11864,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x3_parameters, ceiling) == 8, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x3_parameters, power) == 12, lyapunov_tank_f32x3_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x3_parameters, device_damping) == 16, lyapunov_tank_f32x3_parameters_device_damping);
 typedef struct lyapunov_tank_f32x3 {
-    /* Set by init: 0x125fa27e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6cc19dcd. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -11920,7 +11920,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x3_parameters, ceiling) == 16, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x3_parameters, power) == 24, lyapunov_tank_f64x3_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x3_parameters, device_damping) == 32, lyapunov_tank_f64x3_parameters_device_damping);
 typedef struct lyapunov_tank_f64x3 {
-    /* Set by init: 0x66a00891. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x65d8c4d6. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -11976,7 +11976,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x6_parameters, ceiling) == 8, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x6_parameters, power) == 12, lyapunov_tank_f32x6_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32x6_parameters, device_damping) == 16, lyapunov_tank_f32x6_parameters_device_damping);
 typedef struct lyapunov_tank_f32x6 {
-    /* Set by init: 0x175faa5d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x67c195ee. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -12032,7 +12032,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x6_parameters, ceiling) == 16, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x6_parameters, power) == 24, lyapunov_tank_f64x6_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64x6_parameters, device_damping) == 32, lyapunov_tank_f64x6_parameters_device_damping);
 typedef struct lyapunov_tank_f64x6 {
-    /* Set by init: 0x69a00d4a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6ad8ccb5. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -12088,7 +12088,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32screw_parameters, ceiling) == 8, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32screw_parameters, power) == 12, lyapunov_tank_f32screw_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f32screw_parameters, device_damping) == 16, lyapunov_tank_f32screw_parameters_device_damping);
 typedef struct lyapunov_tank_f32screw {
-    /* Set by init: 0x7c05f269. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5c9cfe50. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -12144,7 +12144,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64screw_parameters, ceiling) == 16, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64screw_parameters, power) == 24, lyapunov_tank_f64screw_parameters_power);
 LYAPUNOV_ASSERT(offsetof(lyapunov_tank_f64screw_parameters, device_damping) == 32, lyapunov_tank_f64screw_parameters_device_damping);
 typedef struct lyapunov_tank_f64screw {
-    /* Set by init: 0x24d6141c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x58476361. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -12199,7 +12199,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_parameters, floor) == 4, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_parameters, ceiling) == 8, lyapunov_energy_tank_f32_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32_parameters, power) == 12, lyapunov_energy_tank_f32_parameters_power);
 typedef struct lyapunov_energy_tank_f32 {
-    /* Set by init: 0x700bc17c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5f716069. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -12250,7 +12250,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_parameters, floor) == 8, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_parameters, ceiling) == 16, lyapunov_energy_tank_f64_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64_parameters, power) == 24, lyapunov_energy_tank_f64_parameters_power);
 typedef struct lyapunov_energy_tank_f64 {
-    /* Set by init: 0x6c188723. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7379052a. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -12301,7 +12301,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_parameters, floor) == 4, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_parameters, ceiling) == 8, lyapunov_energy_tank_f32x3_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x3_parameters, power) == 12, lyapunov_energy_tank_f32x3_parameters_power);
 typedef struct lyapunov_energy_tank_f32x3 {
-    /* Set by init: 0x5bd662ed. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x206ac7d0. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -12352,7 +12352,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_parameters, floor) == 8, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_parameters, ceiling) == 16, lyapunov_energy_tank_f64x3_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x3_parameters, power) == 24, lyapunov_energy_tank_f64x3_parameters_power);
 typedef struct lyapunov_energy_tank_f64x3 {
-    /* Set by init: 0x48472f76. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4ed05a3f. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -12403,7 +12403,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_parameters, floor) == 4, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_parameters, ceiling) == 8, lyapunov_energy_tank_f32x6_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32x6_parameters, power) == 12, lyapunov_energy_tank_f32x6_parameters_power);
 typedef struct lyapunov_energy_tank_f32x6 {
-    /* Set by init: 0x56d65b0e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x256acfaf. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -12454,7 +12454,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_parameters, floor) == 8, lya
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_parameters, ceiling) == 16, lyapunov_energy_tank_f64x6_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64x6_parameters, power) == 24, lyapunov_energy_tank_f64x6_parameters_power);
 typedef struct lyapunov_energy_tank_f64x6 {
-    /* Set by init: 0x4d473755. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x49d05260. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -12505,7 +12505,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_parameters, floor) == 4, 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_parameters, ceiling) == 8, lyapunov_energy_tank_f32screw_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f32screw_parameters, power) == 12, lyapunov_energy_tank_f32screw_parameters_power);
 typedef struct lyapunov_energy_tank_f32screw {
-    /* Set by init: 0x641bd570. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7b1ddabb. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[5];
@@ -12556,7 +12556,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_parameters, floor) == 8, 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_parameters, ceiling) == 16, lyapunov_energy_tank_f64screw_parameters_ceiling);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_tank_f64screw_parameters, power) == 24, lyapunov_energy_tank_f64screw_parameters_power);
 typedef struct lyapunov_energy_tank_f64screw {
-    /* Set by init: 0x60fd8f01. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x708c6fd2. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[5];
@@ -12602,7 +12602,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32_parameters, damping) == 0,
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32_parameters, period) == 4, lyapunov_energy_bounding_f32_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32_parameters, late) == 8, lyapunov_energy_bounding_f32_parameters_late);
 typedef struct lyapunov_energy_bounding_f32 {
-    /* Set by init: 0x4cb9c7fc. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x54464cad. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -12652,7 +12652,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64_parameters, damping) == 0,
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64_parameters, period) == 8, lyapunov_energy_bounding_f64_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64_parameters, late) == 16, lyapunov_energy_bounding_f64_parameters_late);
 typedef struct lyapunov_energy_bounding_f64 {
-    /* Set by init: 0x48c68da3. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x50397a6e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -12702,7 +12702,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x3_parameters, damping) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x3_parameters, period) == 4, lyapunov_energy_bounding_f32x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x3_parameters, late) == 8, lyapunov_energy_bounding_f32x3_parameters_late);
 typedef struct lyapunov_energy_bounding_f32x3 {
-    /* Set by init: 0x5b500d6d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x761d4c34. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[9];
@@ -12752,7 +12752,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x3_parameters, damping) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x3_parameters, period) == 8, lyapunov_energy_bounding_f64x3_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x3_parameters, late) == 16, lyapunov_energy_bounding_f64x3_parameters_late);
 typedef struct lyapunov_energy_bounding_f64x3 {
-    /* Set by init: 0x47c0d9f6. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x72ed7443. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[9];
@@ -12802,7 +12802,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x6_parameters, damping) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x6_parameters, period) == 4, lyapunov_energy_bounding_f32x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32x6_parameters, late) == 8, lyapunov_energy_bounding_f32x6_parameters_late);
 typedef struct lyapunov_energy_bounding_f32x6 {
-    /* Set by init: 0x5650058e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x731d477b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[12];
@@ -12852,7 +12852,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x6_parameters, damping) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x6_parameters, period) == 8, lyapunov_energy_bounding_f64x6_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64x6_parameters, late) == 16, lyapunov_energy_bounding_f64x6_parameters_late);
 typedef struct lyapunov_energy_bounding_f64x6 {
-    /* Set by init: 0x4cc0e1d5. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x75ed78fc. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[12];
@@ -12903,7 +12903,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32screw_parameters, damping) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32screw_parameters, period) == 4, lyapunov_energy_bounding_f32screw_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f32screw_parameters, late) == 8, lyapunov_energy_bounding_f32screw_parameters_late);
 typedef struct lyapunov_energy_bounding_f32screw {
-    /* Set by init: 0x7df848f0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x45d2dbe7. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[12];
@@ -12954,7 +12954,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64screw_parameters, damping) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64screw_parameters, period) == 8, lyapunov_energy_bounding_f64screw_parameters_period);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_bounding_f64screw_parameters, late) == 16, lyapunov_energy_bounding_f64screw_parameters_late);
 typedef struct lyapunov_energy_bounding_f64screw {
-    /* Set by init: 0x7ada0281. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x660d692e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[12];
@@ -13009,7 +13009,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32_parameters, decay) == 4, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32_parameters, device_damping) == 8, lyapunov_least_norm_f32_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32_parameters, budget) == 12, lyapunov_least_norm_f32_parameters_budget);
 typedef struct lyapunov_least_norm_f32 {
-    /* Set by init: 0x43de7bc7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x13c4c680. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -13064,7 +13064,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64_parameters, decay) == 8, lyapun
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64_parameters, device_damping) == 16, lyapunov_least_norm_f64_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64_parameters, budget) == 24, lyapunov_least_norm_f64_parameters_budget);
 typedef struct lyapunov_least_norm_f64 {
-    /* Set by init: 0x2bd18a0c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x27bd60b7. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -13119,7 +13119,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x3_parameters, decay) == 4, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x3_parameters, device_damping) == 8, lyapunov_least_norm_f32x3_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x3_parameters, budget) == 12, lyapunov_least_norm_f32x3_parameters_budget);
 typedef struct lyapunov_least_norm_f32x3 {
-    /* Set by init: 0x1fb7afba. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3377b741. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -13174,7 +13174,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x3_parameters, decay) == 8, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x3_parameters, device_damping) == 16, lyapunov_least_norm_f64x3_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x3_parameters, budget) == 24, lyapunov_least_norm_f64x3_parameters_budget);
 typedef struct lyapunov_least_norm_f64x3 {
-    /* Set by init: 0x34d52f7d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x196d75aa. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -13229,7 +13229,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x6_parameters, decay) == 4, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x6_parameters, device_damping) == 8, lyapunov_least_norm_f32x6_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32x6_parameters, budget) == 12, lyapunov_least_norm_f32x6_parameters_budget);
 typedef struct lyapunov_least_norm_f32x6 {
-    /* Set by init: 0x1cb7ab01. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3677bbfa. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -13284,7 +13284,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x6_parameters, decay) == 8, lyap
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x6_parameters, device_damping) == 16, lyapunov_least_norm_f64x6_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64x6_parameters, budget) == 24, lyapunov_least_norm_f64x6_parameters_budget);
 typedef struct lyapunov_least_norm_f64x6 {
-    /* Set by init: 0x2fd5279e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x166d70f1. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -13339,7 +13339,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32screw_parameters, decay) == 4, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32screw_parameters, device_damping) == 8, lyapunov_least_norm_f32screw_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f32screw_parameters, budget) == 12, lyapunov_least_norm_f32screw_parameters_budget);
 typedef struct lyapunov_least_norm_f32screw {
-    /* Set by init: 0x1f20ad5d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x52f365cc. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -13394,7 +13394,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64screw_parameters, decay) == 8, l
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64screw_parameters, device_damping) == 16, lyapunov_least_norm_f64screw_parameters_device_damping);
 LYAPUNOV_ASSERT(offsetof(lyapunov_least_norm_f64screw_parameters, budget) == 24, lyapunov_least_norm_f64screw_parameters_budget);
 typedef struct lyapunov_least_norm_f64screw {
-    /* Set by init: 0x5db21c00. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x28ecb58d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -13442,7 +13442,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32_parameters) == 8, lyapunov_slope
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32_parameters, slope) == 0, lyapunov_slope_bound_f32_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32_parameters, creep) == 4, lyapunov_slope_bound_f32_parameters_creep);
 typedef struct lyapunov_slope_bound_f32 {
-    /* Set by init: 0x4753f239. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x57ed6294. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[6];
@@ -13490,7 +13490,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64_parameters) == 16, lyapunov_slop
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64_parameters, slope) == 0, lyapunov_slope_bound_f64_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64_parameters, creep) == 8, lyapunov_slope_bound_f64_parameters_creep);
 typedef struct lyapunov_slope_bound_f64 {
-    /* Set by init: 0x5b5b96fa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x53fa283b. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[6];
@@ -13538,7 +13538,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x3_parameters) == 8, lyapunov_slo
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x3_parameters, slope) == 0, lyapunov_slope_bound_f32x3_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x3_parameters, creep) == 4, lyapunov_slope_bound_f32x3_parameters_creep);
 typedef struct lyapunov_slope_bound_f32x3 {
-    /* Set by init: 0x5a636b20. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x325a5b15. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[10];
@@ -13586,7 +13586,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x3_parameters) == 16, lyapunov_sl
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x3_parameters, slope) == 0, lyapunov_slope_bound_f64x3_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x3_parameters, creep) == 8, lyapunov_slope_bound_f64x3_parameters_creep);
 typedef struct lyapunov_slope_bound_f64x3 {
-    /* Set by init: 0x064e948f. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3c50277e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[10];
@@ -13634,7 +13634,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x6_parameters) == 8, lyapunov_slo
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x6_parameters, slope) == 0, lyapunov_slope_bound_f32x6_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x6_parameters, creep) == 4, lyapunov_slope_bound_f32x6_parameters_creep);
 typedef struct lyapunov_slope_bound_f32x6 {
-    /* Set by init: 0x5f6372ff. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2d5a5336. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[16];
@@ -13682,7 +13682,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x6_parameters) == 16, lyapunov_sl
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x6_parameters, slope) == 0, lyapunov_slope_bound_f64x6_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x6_parameters, creep) == 8, lyapunov_slope_bound_f64x6_parameters_creep);
 typedef struct lyapunov_slope_bound_f64x6 {
-    /* Set by init: 0x014e8cb0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x41502f5d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];
@@ -13730,7 +13730,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32screw_parameters) == 8, lyapunov_
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32screw_parameters, slope) == 0, lyapunov_slope_bound_f32screw_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32screw_parameters, creep) == 4, lyapunov_slope_bound_f32screw_parameters_creep);
 typedef struct lyapunov_slope_bound_f32screw {
-    /* Set by init: 0x20bf2b4b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4c007b58. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[16];
@@ -13778,7 +13778,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64screw_parameters) == 16, lyapunov
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64screw_parameters, slope) == 0, lyapunov_slope_bound_f64screw_parameters_slope);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64screw_parameters, creep) == 8, lyapunov_slope_bound_f64screw_parameters_creep);
 typedef struct lyapunov_slope_bound_f64screw {
-    /* Set by init: 0x72586262. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x707be969. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];
@@ -13829,7 +13829,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f32_parameters, surface) == 0, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f32_parameters, depth) == 4, lyapunov_memory_based_f32_parameters_depth);
 LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f32_parameters, late) == 8, lyapunov_memory_based_f32_parameters_late);
 typedef struct lyapunov_memory_based_f32 {
-    /* Set by init: 0x7329d1ec. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x556c0ab3. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[70];
@@ -13880,7 +13880,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f64_parameters, surface) == 0, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f64_parameters, depth) == 8, lyapunov_memory_based_f64_parameters_depth);
 LYAPUNOV_ASSERT(offsetof(lyapunov_memory_based_f64_parameters, late) == 16, lyapunov_memory_based_f64_parameters_late);
 typedef struct lyapunov_memory_based_f64 {
-    /* Set by init: 0x6f35ce13. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6573a928. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[70];
@@ -13928,7 +13928,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_path_memory_f32_parameters) == 8, lyapunov_path_
 LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f32_parameters, surface) == 0, lyapunov_path_memory_f32_parameters_surface);
 LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f32_parameters, depth) == 4, lyapunov_path_memory_f32_parameters_depth);
 typedef struct lyapunov_path_memory_f32 {
-    /* Set by init: 0x0de94eee. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x59b20d8f. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[67];
@@ -13968,7 +13968,7 @@ LYAPUNOV_ASSERT(sizeof(lyapunov_path_memory_f64_parameters) == 16, lyapunov_path
 LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f64_parameters, surface) == 0, lyapunov_path_memory_f64_parameters_surface);
 LYAPUNOV_ASSERT(offsetof(lyapunov_path_memory_f64_parameters, depth) == 8, lyapunov_path_memory_f64_parameters_depth);
 typedef struct lyapunov_path_memory_f64 {
-    /* Set by init: 0x05f60e49. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x61a617b4. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[67];
@@ -14005,7 +14005,7 @@ typedef struct lyapunov_two_port_side_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f32_parameters) == 4, lyapunov_two_port_side_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32_parameters, damping_limit) == 0, lyapunov_two_port_side_f32_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f32 {
-    /* Set by init: 0x7010f1b7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4720ada2. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[6];
@@ -14054,7 +14054,7 @@ typedef struct lyapunov_two_port_side_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f64_parameters) == 8, lyapunov_two_port_side_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64_parameters, damping_limit) == 0, lyapunov_two_port_side_f64_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f64 {
-    /* Set by init: 0x5804c97c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5719418d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[6];
@@ -14103,7 +14103,7 @@ typedef struct lyapunov_two_port_side_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f32x3_parameters) == 4, lyapunov_two_port_side_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32x3_parameters, damping_limit) == 0, lyapunov_two_port_side_f32x3_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f32x3 {
-    /* Set by init: 0x38cdeeaa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x65f517a7. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[8];
@@ -14152,7 +14152,7 @@ typedef struct lyapunov_two_port_side_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f64x3_parameters) == 8, lyapunov_two_port_side_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64x3_parameters, damping_limit) == 0, lyapunov_two_port_side_f64x3_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f64x3 {
-    /* Set by init: 0x3ecaaaed. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x11b4b194. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[8];
@@ -14201,7 +14201,7 @@ typedef struct lyapunov_two_port_side_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f32x6_parameters) == 4, lyapunov_two_port_side_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32x6_parameters, damping_limit) == 0, lyapunov_two_port_side_f32x6_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f32x6 {
-    /* Set by init: 0x35cde9f1. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x60f50fc8. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[11];
@@ -14250,7 +14250,7 @@ typedef struct lyapunov_two_port_side_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f64x6_parameters) == 8, lyapunov_two_port_side_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64x6_parameters, damping_limit) == 0, lyapunov_two_port_side_f64x6_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f64x6 {
-    /* Set by init: 0x39caa30e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0eb4acdb. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[11];
@@ -14299,7 +14299,7 @@ typedef struct lyapunov_two_port_side_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f32screw_parameters) == 4, lyapunov_two_port_side_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f32screw_parameters, damping_limit) == 0, lyapunov_two_port_side_f32screw_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f32screw {
-    /* Set by init: 0x04cb288d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x74797b5a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[11];
@@ -14348,7 +14348,7 @@ typedef struct lyapunov_two_port_side_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_two_port_side_f64screw_parameters) == 8, lyapunov_two_port_side_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_port_side_f64screw_parameters, damping_limit) == 0, lyapunov_two_port_side_f64screw_parameters_damping_limit);
 typedef struct lyapunov_two_port_side_f64screw {
-    /* Set by init: 0x6004ed70. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1940a047. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[11];
@@ -14403,7 +14403,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32_parameters, mobility_lim
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32_parameters, speed) == 4, lyapunov_drift_compensated_f32_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32_parameters, impedance) == 8, lyapunov_drift_compensated_f32_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f32 {
-    /* Set by init: 0x3c9b5250. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x767be2dd. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[9];
@@ -14458,7 +14458,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64_parameters, mobility_lim
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64_parameters, speed) == 8, lyapunov_drift_compensated_f64_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64_parameters, impedance) == 16, lyapunov_drift_compensated_f64_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f64 {
-    /* Set by init: 0x5093ec87. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x726fda1e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[9];
@@ -14513,7 +14513,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x3_parameters, mobility_l
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x3_parameters, speed) == 4, lyapunov_drift_compensated_f32x3_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x3_parameters, impedance) == 8, lyapunov_drift_compensated_f32x3_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f32x3 {
-    /* Set by init: 0x482b7b91. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x331c4764. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[13];
@@ -14568,7 +14568,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x3_parameters, mobility_l
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x3_parameters, speed) == 8, lyapunov_drift_compensated_f64x3_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x3_parameters, impedance) == 16, lyapunov_drift_compensated_f64x3_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f64x3 {
-    /* Set by init: 0x309ba2fa. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x25c14773. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[13];
@@ -14623,7 +14623,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x6_parameters, mobility_l
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x6_parameters, speed) == 4, lyapunov_drift_compensated_f32x6_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32x6_parameters, impedance) == 8, lyapunov_drift_compensated_f32x6_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f32x6 {
-    /* Set by init: 0x4b2b804a. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x301c42ab. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[19];
@@ -14678,7 +14678,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x6_parameters, mobility_l
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x6_parameters, speed) == 8, lyapunov_drift_compensated_f64x6_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64x6_parameters, impedance) == 16, lyapunov_drift_compensated_f64x6_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f64x6 {
-    /* Set by init: 0x2d9b9e41. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x28c14c2c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[19];
@@ -14733,7 +14733,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32screw_parameters, mobilit
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32screw_parameters, speed) == 4, lyapunov_drift_compensated_f32screw_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f32screw_parameters, impedance) == 8, lyapunov_drift_compensated_f32screw_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f32screw {
-    /* Set by init: 0x0c19c51c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x02634e57. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[19];
@@ -14788,7 +14788,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64screw_parameters, mobilit
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64screw_parameters, speed) == 8, lyapunov_drift_compensated_f64screw_parameters_speed);
 LYAPUNOV_ASSERT(offsetof(lyapunov_drift_compensated_f64screw_parameters, impedance) == 16, lyapunov_drift_compensated_f64screw_parameters_impedance);
 typedef struct lyapunov_drift_compensated_f64screw {
-    /* Set by init: 0x2206961d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0d36541e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[19];
@@ -14846,7 +14846,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32_parameters, share) == 4, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32_parameters, level) == 8, lyapunov_two_layer_f32_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32_parameters, gain) == 12, lyapunov_two_layer_f32_parameters_gain);
 typedef struct lyapunov_two_layer_f32 {
-    /* Set by init: 0x463f860d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x660a2f4c. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -14904,7 +14904,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64_parameters, share) == 8, lyapuno
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64_parameters, level) == 16, lyapunov_two_layer_f64_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64_parameters, gain) == 24, lyapunov_two_layer_f64_parameters_gain);
 typedef struct lyapunov_two_layer_f64 {
-    /* Set by init: 0x42337d4e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6216f4f3. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -14962,7 +14962,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x3_parameters, share) == 4, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x3_parameters, level) == 8, lyapunov_two_layer_f32x3_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x3_parameters, gain) == 12, lyapunov_two_layer_f32x3_parameters_gain);
 typedef struct lyapunov_two_layer_f32x3 {
-    /* Set by init: 0x6e0bca14. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5e14423d. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -15020,7 +15020,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x3_parameters, share) == 8, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x3_parameters, level) == 16, lyapunov_two_layer_f64x3_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x3_parameters, gain) == 24, lyapunov_two_layer_f64x3_parameters_gain);
 typedef struct lyapunov_two_layer_f64x3 {
-    /* Set by init: 0x5e366123. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x480aa5c6. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -15078,7 +15078,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x6_parameters, share) == 4, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x6_parameters, level) == 8, lyapunov_two_layer_f32x6_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32x6_parameters, gain) == 12, lyapunov_two_layer_f32x6_parameters_gain);
 typedef struct lyapunov_two_layer_f32x6 {
-    /* Set by init: 0x6b0bc55b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x59143a5e. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -15136,7 +15136,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x6_parameters, share) == 8, lyapu
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x6_parameters, level) == 16, lyapunov_two_layer_f64x6_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64x6_parameters, gain) == 24, lyapunov_two_layer_f64x6_parameters_gain);
 typedef struct lyapunov_two_layer_f64x6 {
-    /* Set by init: 0x613665dc. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4d0aada5. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -15194,7 +15194,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32screw_parameters, share) == 4, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32screw_parameters, level) == 8, lyapunov_two_layer_f32screw_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f32screw_parameters, gain) == 12, lyapunov_two_layer_f32screw_parameters_gain);
 typedef struct lyapunov_two_layer_f32screw {
-    /* Set by init: 0x0fe64dc7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x09ccbb40. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -15252,7 +15252,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64screw_parameters, share) == 8, ly
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64screw_parameters, level) == 16, lyapunov_two_layer_f64screw_parameters_level);
 LYAPUNOV_ASSERT(offsetof(lyapunov_two_layer_f64screw_parameters, gain) == 24, lyapunov_two_layer_f64screw_parameters_gain);
 typedef struct lyapunov_two_layer_f64screw {
-    /* Set by init: 0x76e3f58e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x09cabd91. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -15301,7 +15301,7 @@ typedef struct lyapunov_wave_transform_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32_parameters) == 4, lyapunov_wave_transform_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32_parameters, impedance) == 0, lyapunov_wave_transform_f32_parameters_impedance);
 typedef struct lyapunov_wave_transform_f32 {
-    /* Set by init: 0x05854d4d. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x32397856. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -15327,13 +15327,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_save(const lyapunov_wave_trans
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32_restore(lyapunov_wave_transform_f32 *storage, const lyapunov_wave_transform_f32_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_encode(lyapunov_wave_transform_f32 *storage, float flow, float effort, lyapunov_wave_f32 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_encode(const lyapunov_wave_transform_f32 *storage, float flow, float effort, lyapunov_wave_f32 *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_decode(lyapunov_wave_transform_f32 *storage, float there, float back, lyapunov_wave_f32 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_decode(const lyapunov_wave_transform_f32 *storage, float there, float back, lyapunov_wave_f32 *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_effort(lyapunov_wave_transform_f32 *storage, float flow, float back, lyapunov_wave_f32 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_effort(const lyapunov_wave_transform_f32 *storage, float flow, float back, lyapunov_wave_f32 *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_flow(lyapunov_wave_transform_f32 *storage, float effort, float there, lyapunov_wave_f32 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_flow(const lyapunov_wave_transform_f32 *storage, float effort, float there, lyapunov_wave_f32 *wave);
 
 /* lyapunov_wave_transform_f64: Wave transformation (WaveTransform): waves of a flow and an effort, and the
    other way round. It has no memory, and what is not finite comes out so. */
@@ -15344,7 +15344,7 @@ typedef struct lyapunov_wave_transform_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64_parameters) == 8, lyapunov_wave_transform_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64_parameters, impedance) == 0, lyapunov_wave_transform_f64_parameters_impedance);
 typedef struct lyapunov_wave_transform_f64 {
-    /* Set by init: 0x0179448e. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4a45a091. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -15370,13 +15370,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_save(const lyapunov_wave_trans
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64_restore(lyapunov_wave_transform_f64 *storage, const lyapunov_wave_transform_f64_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_encode(lyapunov_wave_transform_f64 *storage, double flow, double effort, lyapunov_wave_f64 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_encode(const lyapunov_wave_transform_f64 *storage, double flow, double effort, lyapunov_wave_f64 *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_decode(lyapunov_wave_transform_f64 *storage, double there, double back, lyapunov_wave_f64 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_decode(const lyapunov_wave_transform_f64 *storage, double there, double back, lyapunov_wave_f64 *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_effort(lyapunov_wave_transform_f64 *storage, double flow, double back, lyapunov_wave_f64 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_effort(const lyapunov_wave_transform_f64 *storage, double flow, double back, lyapunov_wave_f64 *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_flow(lyapunov_wave_transform_f64 *storage, double effort, double there, lyapunov_wave_f64 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_flow(const lyapunov_wave_transform_f64 *storage, double effort, double there, lyapunov_wave_f64 *wave);
 
 /* lyapunov_wave_transform_f32x3: Wave transformation (WaveTransform): waves of a flow and an effort, and the
    other way round. It has no memory, and what is not finite comes out so. */
@@ -15387,7 +15387,7 @@ typedef struct lyapunov_wave_transform_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x3_parameters) == 4, lyapunov_wave_transform_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x3_parameters, impedance) == 0, lyapunov_wave_transform_f32x3_parameters_impedance);
 typedef struct lyapunov_wave_transform_f32x3 {
-    /* Set by init: 0x2fe1ced4. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x30341c1b. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -15413,13 +15413,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_save(const lyapunov_wave_tra
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x3_restore(lyapunov_wave_transform_f32x3 *storage, const lyapunov_wave_transform_f32x3_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_encode(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *flow, const lyapunov_f32x3 *effort, lyapunov_wave_f32x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_encode(const lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *flow, const lyapunov_f32x3 *effort, lyapunov_wave_f32x3 *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_decode(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *there, const lyapunov_f32x3 *back, lyapunov_wave_f32x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_decode(const lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *there, const lyapunov_f32x3 *back, lyapunov_wave_f32x3 *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_effort(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *flow, const lyapunov_f32x3 *back, lyapunov_wave_f32x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_effort(const lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *flow, const lyapunov_f32x3 *back, lyapunov_wave_f32x3 *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_flow(lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *effort, const lyapunov_f32x3 *there, lyapunov_wave_f32x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_flow(const lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *effort, const lyapunov_f32x3 *there, lyapunov_wave_f32x3 *wave);
 
 /* lyapunov_wave_transform_f64x3: Wave transformation (WaveTransform): waves of a flow and an effort, and the
    other way round. It has no memory, and what is not finite comes out so. */
@@ -15430,7 +15430,7 @@ typedef struct lyapunov_wave_transform_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x3_parameters) == 8, lyapunov_wave_transform_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x3_parameters, impedance) == 0, lyapunov_wave_transform_f64x3_parameters_impedance);
 typedef struct lyapunov_wave_transform_f64x3 {
-    /* Set by init: 0x2286cee3. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2a105068. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -15456,13 +15456,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_save(const lyapunov_wave_tra
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x3_restore(lyapunov_wave_transform_f64x3 *storage, const lyapunov_wave_transform_f64x3_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_encode(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *flow, const lyapunov_f64x3 *effort, lyapunov_wave_f64x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_encode(const lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *flow, const lyapunov_f64x3 *effort, lyapunov_wave_f64x3 *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_decode(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *there, const lyapunov_f64x3 *back, lyapunov_wave_f64x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_decode(const lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *there, const lyapunov_f64x3 *back, lyapunov_wave_f64x3 *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_effort(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *flow, const lyapunov_f64x3 *back, lyapunov_wave_f64x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_effort(const lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *flow, const lyapunov_f64x3 *back, lyapunov_wave_f64x3 *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_flow(lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *effort, const lyapunov_f64x3 *there, lyapunov_wave_f64x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_flow(const lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *effort, const lyapunov_f64x3 *there, lyapunov_wave_f64x3 *wave);
 
 /* lyapunov_wave_transform_f32x6: Wave transformation (WaveTransform): waves of a flow and an effort, and the
    other way round. It has no memory, and what is not finite comes out so. */
@@ -15473,7 +15473,7 @@ typedef struct lyapunov_wave_transform_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32x6_parameters) == 4, lyapunov_wave_transform_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32x6_parameters, impedance) == 0, lyapunov_wave_transform_f32x6_parameters_impedance);
 typedef struct lyapunov_wave_transform_f32x6 {
-    /* Set by init: 0x2ce1ca1b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x333420d4. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -15499,13 +15499,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_save(const lyapunov_wave_tra
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32x6_restore(lyapunov_wave_transform_f32x6 *storage, const lyapunov_wave_transform_f32x6_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_encode(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *flow, const lyapunov_f32x6 *effort, lyapunov_wave_f32x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_encode(const lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *flow, const lyapunov_f32x6 *effort, lyapunov_wave_f32x6 *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_decode(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *there, const lyapunov_f32x6 *back, lyapunov_wave_f32x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_decode(const lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *there, const lyapunov_f32x6 *back, lyapunov_wave_f32x6 *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_effort(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *flow, const lyapunov_f32x6 *back, lyapunov_wave_f32x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_effort(const lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *flow, const lyapunov_f32x6 *back, lyapunov_wave_f32x6 *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_flow(lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *effort, const lyapunov_f32x6 *there, lyapunov_wave_f32x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_flow(const lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *effort, const lyapunov_f32x6 *there, lyapunov_wave_f32x6 *wave);
 
 /* lyapunov_wave_transform_f64x6: Wave transformation (WaveTransform): waves of a flow and an effort, and the
    other way round. It has no memory, and what is not finite comes out so. */
@@ -15516,7 +15516,7 @@ typedef struct lyapunov_wave_transform_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64x6_parameters) == 8, lyapunov_wave_transform_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64x6_parameters, impedance) == 0, lyapunov_wave_transform_f64x6_parameters_impedance);
 typedef struct lyapunov_wave_transform_f64x6 {
-    /* Set by init: 0x2586d39c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2f105847. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -15542,13 +15542,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_save(const lyapunov_wave_tra
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64x6_restore(lyapunov_wave_transform_f64x6 *storage, const lyapunov_wave_transform_f64x6_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_encode(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *flow, const lyapunov_f64x6 *effort, lyapunov_wave_f64x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_encode(const lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *flow, const lyapunov_f64x6 *effort, lyapunov_wave_f64x6 *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_decode(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *there, const lyapunov_f64x6 *back, lyapunov_wave_f64x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_decode(const lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *there, const lyapunov_f64x6 *back, lyapunov_wave_f64x6 *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_effort(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *flow, const lyapunov_f64x6 *back, lyapunov_wave_f64x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_effort(const lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *flow, const lyapunov_f64x6 *back, lyapunov_wave_f64x6 *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_flow(lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *effort, const lyapunov_f64x6 *there, lyapunov_wave_f64x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_flow(const lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *effort, const lyapunov_f64x6 *there, lyapunov_wave_f64x6 *wave);
 
 /* lyapunov_wave_transform_f32screw: Wave transformation (WaveTransform): waves of a flow and an effort, and
    the other way round. It has no memory, and what is not finite comes out so. */
@@ -15559,7 +15559,7 @@ typedef struct lyapunov_wave_transform_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f32screw_parameters) == 4, lyapunov_wave_transform_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f32screw_parameters, impedance) == 0, lyapunov_wave_transform_f32screw_parameters_impedance);
 typedef struct lyapunov_wave_transform_f32screw {
-    /* Set by init: 0x676e4007. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x428844c6. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -15585,13 +15585,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_save(const lyapunov_wave_
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f32screw_restore(lyapunov_wave_transform_f32screw *storage, const lyapunov_wave_transform_f32screw_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_encode(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *flow, const lyapunov_f32screw *effort, lyapunov_wave_f32screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_encode(const lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *flow, const lyapunov_f32screw *effort, lyapunov_wave_f32screw *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_decode(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *there, const lyapunov_f32screw *back, lyapunov_wave_f32screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_decode(const lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *there, const lyapunov_f32screw *back, lyapunov_wave_f32screw *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_effort(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *flow, const lyapunov_f32screw *back, lyapunov_wave_f32screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_effort(const lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *flow, const lyapunov_f32screw *back, lyapunov_wave_f32screw *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_flow(lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *effort, const lyapunov_f32screw *there, lyapunov_wave_f32screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_flow(const lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *effort, const lyapunov_f32screw *there, lyapunov_wave_f32screw *wave);
 
 /* lyapunov_wave_transform_f64screw: Wave transformation (WaveTransform): waves of a flow and an effort, and
    the other way round. It has no memory, and what is not finite comes out so. */
@@ -15602,7 +15602,7 @@ typedef struct lyapunov_wave_transform_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_transform_f64screw_parameters) == 8, lyapunov_wave_transform_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_transform_f64screw_parameters, impedance) == 0, lyapunov_wave_transform_f64screw_parameters_impedance);
 typedef struct lyapunov_wave_transform_f64screw {
-    /* Set by init: 0x2dad7bce. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0a434633. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -15628,13 +15628,13 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_save(const lyapunov_wave_
 /* Puts a stored memory in place of the own one. A refused one changes nothing. */
 LYAPUNOV_API lyapunov_status lyapunov_wave_transform_f64screw_restore(lyapunov_wave_transform_f64screw *storage, const lyapunov_wave_transform_f64screw_memory *memory);
 /* The waves of a flow and an effort. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_encode(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *flow, const lyapunov_f64screw *effort, lyapunov_wave_f64screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_encode(const lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *flow, const lyapunov_f64screw *effort, lyapunov_wave_f64screw *wave);
 /* The flow and the effort of the waves there and back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_decode(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *there, const lyapunov_f64screw *back, lyapunov_wave_f64screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_decode(const lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *there, const lyapunov_f64screw *back, lyapunov_wave_f64screw *wave);
 /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_effort(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *flow, const lyapunov_f64screw *back, lyapunov_wave_f64screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_effort(const lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *flow, const lyapunov_f64screw *back, lyapunov_wave_f64screw *wave);
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_flow(lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *effort, const lyapunov_f64screw *there, lyapunov_wave_f64screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_transform_f64screw_flow(const lyapunov_wave_transform_f64screw *storage, const lyapunov_f64screw *effort, const lyapunov_f64screw *there, lyapunov_wave_f64screw *wave);
 
 /* lyapunov_wave_filter_f32: Low pass in the path of a wave (WaveFilter). */
 typedef struct lyapunov_wave_filter_f32_parameters {
@@ -15644,7 +15644,7 @@ typedef struct lyapunov_wave_filter_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32_parameters) == 4, lyapunov_wave_filter_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32_parameters, share) == 0, lyapunov_wave_filter_f32_parameters_share);
 typedef struct lyapunov_wave_filter_f32 {
-    /* Set by init: 0x7f735d35. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4afe8aa0. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -15680,7 +15680,7 @@ typedef struct lyapunov_wave_filter_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64_parameters) == 8, lyapunov_wave_filter_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64_parameters, share) == 0, lyapunov_wave_filter_f64_parameters_share);
 typedef struct lyapunov_wave_filter_f64 {
-    /* Set by init: 0x7b675476. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5ef724d7. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -15716,7 +15716,7 @@ typedef struct lyapunov_wave_filter_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x3_parameters) == 4, lyapunov_wave_filter_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x3_parameters, share) == 0, lyapunov_wave_filter_f32x3_parameters_share);
 typedef struct lyapunov_wave_filter_f32x3 {
-    /* Set by init: 0x3661a64c. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x694232e1. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -15752,7 +15752,7 @@ typedef struct lyapunov_wave_filter_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x3_parameters) == 8, lyapunov_wave_filter_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x3_parameters, share) == 0, lyapunov_wave_filter_f64x3_parameters_share);
 typedef struct lyapunov_wave_filter_f64x3 {
-    /* Set by init: 0x468c6fbb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4f3727ca. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -15788,7 +15788,7 @@ typedef struct lyapunov_wave_filter_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32x6_parameters) == 4, lyapunov_wave_filter_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32x6_parameters, share) == 0, lyapunov_wave_filter_f32x6_parameters_share);
 typedef struct lyapunov_wave_filter_f32x6 {
-    /* Set by init: 0x3361a193. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6c42379a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -15824,7 +15824,7 @@ typedef struct lyapunov_wave_filter_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64x6_parameters) == 8, lyapunov_wave_filter_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64x6_parameters, share) == 0, lyapunov_wave_filter_f64x6_parameters_share);
 typedef struct lyapunov_wave_filter_f64x6 {
-    /* Set by init: 0x498c7474. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4c372311. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -15860,7 +15860,7 @@ typedef struct lyapunov_wave_filter_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f32screw_parameters) == 4, lyapunov_wave_filter_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f32screw_parameters, share) == 0, lyapunov_wave_filter_f32screw_parameters_share);
 typedef struct lyapunov_wave_filter_f32screw {
-    /* Set by init: 0x10fdffdf. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6b0cb66c. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[7];
@@ -15896,7 +15896,7 @@ typedef struct lyapunov_wave_filter_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_filter_f64screw_parameters) == 8, lyapunov_wave_filter_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_filter_f64screw_parameters, share) == 0, lyapunov_wave_filter_f64screw_parameters_share);
 typedef struct lyapunov_wave_filter_f64screw {
-    /* Set by init: 0x62364a66. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x4104732d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[7];
@@ -15940,7 +15940,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_parameters, impedance) == 0,
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_parameters, stiffness) == 4, lyapunov_wave_follower_f32_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32_parameters, damping) == 8, lyapunov_wave_follower_f32_parameters_damping);
 typedef struct lyapunov_wave_follower_f32 {
-    /* Set by init: 0x3b2a9e21. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3dbd2538. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -15967,7 +15967,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f32_save(const lyapunov_wave_follow
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32_restore(lyapunov_wave_follower_f32 *storage, const lyapunov_wave_follower_f32_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f32_follow(lyapunov_wave_follower_f32 *storage, float there, float error, float velocity, lyapunov_wave_f32 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32_follow(const lyapunov_wave_follower_f32 *storage, float there, float error, float velocity, lyapunov_wave_f32 *wave);
 
 /* lyapunov_wave_follower_f64: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
    flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
@@ -15985,7 +15985,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_parameters, impedance) == 0,
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_parameters, stiffness) == 8, lyapunov_wave_follower_f64_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64_parameters, damping) == 16, lyapunov_wave_follower_f64_parameters_damping);
 typedef struct lyapunov_wave_follower_f64 {
-    /* Set by init: 0x2f321082. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x31b58d0f. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -16012,7 +16012,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f64_save(const lyapunov_wave_follow
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64_restore(lyapunov_wave_follower_f64 *storage, const lyapunov_wave_follower_f64_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f64_follow(lyapunov_wave_follower_f64 *storage, double there, double error, double velocity, lyapunov_wave_f64 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64_follow(const lyapunov_wave_follower_f64 *storage, double there, double error, double velocity, lyapunov_wave_f64 *wave);
 
 /* lyapunov_wave_follower_f32x3: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
    flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
@@ -16030,7 +16030,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_parameters, impedance) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_parameters, stiffness) == 4, lyapunov_wave_follower_f32x3_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x3_parameters, damping) == 8, lyapunov_wave_follower_f32x3_parameters_damping);
 typedef struct lyapunov_wave_follower_f32x3 {
-    /* Set by init: 0x13a370f8. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x73d51789. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -16057,7 +16057,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x3_save(const lyapunov_wave_foll
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x3_restore(lyapunov_wave_follower_f32x3 *storage, const lyapunov_wave_follower_f32x3_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x3_follow(lyapunov_wave_follower_f32x3 *storage, const lyapunov_f32x3 *there, const lyapunov_f32x3 *error, const lyapunov_f32x3 *velocity, lyapunov_wave_f32x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x3_follow(const lyapunov_wave_follower_f32x3 *storage, const lyapunov_f32x3 *there, const lyapunov_f32x3 *error, const lyapunov_f32x3 *velocity, lyapunov_wave_f32x3 *wave);
 
 /* lyapunov_wave_follower_f64x3: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
    flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
@@ -16075,7 +16075,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_parameters, impedance) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_parameters, stiffness) == 8, lyapunov_wave_follower_f64x3_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x3_parameters, damping) == 16, lyapunov_wave_follower_f64x3_parameters_damping);
 typedef struct lyapunov_wave_follower_f64x3 {
-    /* Set by init: 0x24946487. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3ecfd692. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -16102,7 +16102,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x3_save(const lyapunov_wave_foll
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x3_restore(lyapunov_wave_follower_f64x3 *storage, const lyapunov_wave_follower_f64x3_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x3_follow(lyapunov_wave_follower_f64x3 *storage, const lyapunov_f64x3 *there, const lyapunov_f64x3 *error, const lyapunov_f64x3 *velocity, lyapunov_wave_f64x3 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x3_follow(const lyapunov_wave_follower_f64x3 *storage, const lyapunov_f64x3 *there, const lyapunov_f64x3 *error, const lyapunov_f64x3 *velocity, lyapunov_wave_f64x3 *wave);
 
 /* lyapunov_wave_follower_f32x6: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
    flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
@@ -16120,7 +16120,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_parameters, impedance) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_parameters, stiffness) == 4, lyapunov_wave_follower_f32x6_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32x6_parameters, damping) == 8, lyapunov_wave_follower_f32x6_parameters_damping);
 typedef struct lyapunov_wave_follower_f32x6 {
-    /* Set by init: 0x18a378d7. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x76d51c42. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -16147,7 +16147,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x6_save(const lyapunov_wave_foll
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32x6_restore(lyapunov_wave_follower_f32x6 *storage, const lyapunov_wave_follower_f32x6_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x6_follow(lyapunov_wave_follower_f32x6 *storage, const lyapunov_f32x6 *there, const lyapunov_f32x6 *error, const lyapunov_f32x6 *velocity, lyapunov_wave_f32x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32x6_follow(const lyapunov_wave_follower_f32x6 *storage, const lyapunov_f32x6 *there, const lyapunov_f32x6 *error, const lyapunov_f32x6 *velocity, lyapunov_wave_f32x6 *wave);
 
 /* lyapunov_wave_follower_f64x6: Slave behind a wave (WaveFollower): a spring and a damper that solve for the
    flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
@@ -16165,7 +16165,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_parameters, impedance) == 
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_parameters, stiffness) == 8, lyapunov_wave_follower_f64x6_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64x6_parameters, damping) == 16, lyapunov_wave_follower_f64x6_parameters_damping);
 typedef struct lyapunov_wave_follower_f64x6 {
-    /* Set by init: 0x1f945ca8. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x3bcfd1d9. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -16192,7 +16192,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x6_save(const lyapunov_wave_foll
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64x6_restore(lyapunov_wave_follower_f64x6 *storage, const lyapunov_wave_follower_f64x6_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x6_follow(lyapunov_wave_follower_f64x6 *storage, const lyapunov_f64x6 *there, const lyapunov_f64x6 *error, const lyapunov_f64x6 *velocity, lyapunov_wave_f64x6 *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64x6_follow(const lyapunov_wave_follower_f64x6 *storage, const lyapunov_f64x6 *there, const lyapunov_f64x6 *error, const lyapunov_f64x6 *velocity, lyapunov_wave_f64x6 *wave);
 
 /* lyapunov_wave_follower_f32screw: Slave behind a wave (WaveFollower): a spring and a damper that solve for
    the flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
@@ -16210,7 +16210,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_parameters, impedance) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_parameters, stiffness) == 4, lyapunov_wave_follower_f32screw_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f32screw_parameters, damping) == 8, lyapunov_wave_follower_f32screw_parameters_damping);
 typedef struct lyapunov_wave_follower_f32screw {
-    /* Set by init: 0x50c2ed83. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x6f0a38b4. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[4];
@@ -16237,7 +16237,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f32screw_save(const lyapunov_wave_f
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f32screw_restore(lyapunov_wave_follower_f32screw *storage, const lyapunov_wave_follower_f32screw_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f32screw_follow(lyapunov_wave_follower_f32screw *storage, const lyapunov_f32screw *there, const lyapunov_f32screw *error, const lyapunov_f32screw *velocity, lyapunov_wave_f32screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f32screw_follow(const lyapunov_wave_follower_f32screw *storage, const lyapunov_f32screw *there, const lyapunov_f32screw *error, const lyapunov_f32screw *velocity, lyapunov_wave_f32screw *wave);
 
 /* lyapunov_wave_follower_f64screw: Slave behind a wave (WaveFollower): a spring and a damper that solve for
    the flow they are commanded. A damping as large as the impedance is matched, and reflects nothing. It has no
@@ -16255,7 +16255,7 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_parameters, impedance) 
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_parameters, stiffness) == 8, lyapunov_wave_follower_f64screw_parameters_stiffness);
 LYAPUNOV_ASSERT(offsetof(lyapunov_wave_follower_f64screw_parameters, damping) == 16, lyapunov_wave_follower_f64screw_parameters_damping);
 typedef struct lyapunov_wave_follower_f64screw {
-    /* Set by init: 0x4cb665ba. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x14399875. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[4];
@@ -16282,7 +16282,7 @@ LYAPUNOV_API uint32_t lyapunov_wave_follower_f64screw_save(const lyapunov_wave_f
 LYAPUNOV_API lyapunov_status lyapunov_wave_follower_f64screw_restore(lyapunov_wave_follower_f64screw *storage, const lyapunov_wave_follower_f64screw_memory *memory);
 /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and
    the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-LYAPUNOV_API uint32_t lyapunov_wave_follower_f64screw_follow(lyapunov_wave_follower_f64screw *storage, const lyapunov_f64screw *there, const lyapunov_f64screw *error, const lyapunov_f64screw *velocity, lyapunov_wave_f64screw *wave);
+LYAPUNOV_API uint32_t lyapunov_wave_follower_f64screw_follow(const lyapunov_wave_follower_f64screw *storage, const lyapunov_f64screw *there, const lyapunov_f64screw *error, const lyapunov_f64screw *velocity, lyapunov_wave_f64screw *wave);
 
 /* lyapunov_observer_f32: Observer alone (Observer): sums the port's energy and what the device's own damper
    burns, and changes no effort. */
@@ -16293,7 +16293,7 @@ typedef struct lyapunov_observer_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f32_parameters) == 4, lyapunov_observer_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32_parameters, device_damping) == 0, lyapunov_observer_f32_parameters_device_damping);
 typedef struct lyapunov_observer_f32 {
-    /* Set by init: 0x13c62729. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x611ae8de. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -16330,7 +16330,7 @@ typedef struct lyapunov_observer_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f64_parameters) == 8, lyapunov_observer_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64_parameters, device_damping) == 0, lyapunov_observer_f64_parameters_device_damping);
 typedef struct lyapunov_observer_f64 {
-    /* Set by init: 0x27cdcbea. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x5926deb9. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -16367,7 +16367,7 @@ typedef struct lyapunov_observer_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f32x3_parameters) == 4, lyapunov_observer_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32x3_parameters, device_damping) == 0, lyapunov_observer_f32x3_parameters_device_damping);
 typedef struct lyapunov_observer_f32x3 {
-    /* Set by init: 0x0ca50110. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2b349fb3. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -16404,7 +16404,7 @@ typedef struct lyapunov_observer_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f64x3_parameters) == 8, lyapunov_observer_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64x3_parameters, device_damping) == 0, lyapunov_observer_f64x3_parameters_device_damping);
 typedef struct lyapunov_observer_f64x3 {
-    /* Set by init: 0x38902a7f. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x079b6ba0. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -16441,7 +16441,7 @@ typedef struct lyapunov_observer_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f32x6_parameters) == 4, lyapunov_observer_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32x6_parameters, device_damping) == 0, lyapunov_observer_f32x6_parameters_device_damping);
 typedef struct lyapunov_observer_f32x6 {
-    /* Set by init: 0x11a508ef. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2e34a46c. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -16478,7 +16478,7 @@ typedef struct lyapunov_observer_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f64x6_parameters) == 8, lyapunov_observer_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64x6_parameters, device_damping) == 0, lyapunov_observer_f64x6_parameters_device_damping);
 typedef struct lyapunov_observer_f64x6 {
-    /* Set by init: 0x339022a0. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0c9b737f. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -16515,7 +16515,7 @@ typedef struct lyapunov_observer_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f32screw_parameters) == 4, lyapunov_observer_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f32screw_parameters, device_damping) == 0, lyapunov_observer_f32screw_parameters_device_damping);
 typedef struct lyapunov_observer_f32screw {
-    /* Set by init: 0x606b8c7b. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x0b8055de. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[2];
@@ -16552,7 +16552,7 @@ typedef struct lyapunov_observer_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_observer_f64screw_parameters) == 8, lyapunov_observer_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_observer_f64screw_parameters, device_damping) == 0, lyapunov_observer_f64screw_parameters_device_damping);
 typedef struct lyapunov_observer_f64screw {
-    /* Set by init: 0x02534d92. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x7b80d0cb. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[2];
@@ -16589,7 +16589,7 @@ typedef struct lyapunov_energy_meter_f32_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32_parameters) == 4, lyapunov_energy_meter_f32_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32_parameters, reserved) == 0, lyapunov_energy_meter_f32_parameters_reserved);
 typedef struct lyapunov_energy_meter_f32 {
-    /* Set by init: 0x3e3fe145. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x22b3250a. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[16];
@@ -16629,7 +16629,7 @@ typedef struct lyapunov_energy_meter_f64_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64_parameters) == 4, lyapunov_energy_meter_f64_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64_parameters, reserved) == 0, lyapunov_energy_meter_f64_parameters_reserved);
 typedef struct lyapunov_energy_meter_f64 {
-    /* Set by init: 0x3a33d886. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x12ac5015. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];
@@ -16669,7 +16669,7 @@ typedef struct lyapunov_energy_meter_f32x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32x3_parameters) == 4, lyapunov_energy_meter_f32x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32x3_parameters, reserved) == 0, lyapunov_energy_meter_f32x3_parameters_reserved);
 typedef struct lyapunov_energy_meter_f32x3 {
-    /* Set by init: 0x7704badc. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x2136629f. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[16];
@@ -16709,7 +16709,7 @@ typedef struct lyapunov_energy_meter_f64x3_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64x3_parameters) == 4, lyapunov_energy_meter_f64x3_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64x3_parameters, reserved) == 0, lyapunov_energy_meter_f64x3_parameters_reserved);
 typedef struct lyapunov_energy_meter_f64x3 {
-    /* Set by init: 0x09a923cb. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x22db032c. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];
@@ -16749,7 +16749,7 @@ typedef struct lyapunov_energy_meter_f32x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32x6_parameters) == 4, lyapunov_energy_meter_f32x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32x6_parameters, reserved) == 0, lyapunov_energy_meter_f32x6_parameters_reserved);
 typedef struct lyapunov_energy_meter_f32x6 {
-    /* Set by init: 0x7404b623. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1c365ac0. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[16];
@@ -16789,7 +16789,7 @@ typedef struct lyapunov_energy_meter_f64x6_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64x6_parameters) == 4, lyapunov_energy_meter_f64x6_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64x6_parameters, reserved) == 0, lyapunov_energy_meter_f64x6_parameters_reserved);
 typedef struct lyapunov_energy_meter_f64x6 {
-    /* Set by init: 0x0ca92884. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x1fdafe73. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];
@@ -16829,7 +16829,7 @@ typedef struct lyapunov_energy_meter_f32screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32screw_parameters) == 4, lyapunov_energy_meter_f32screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f32screw_parameters, reserved) == 0, lyapunov_energy_meter_f32screw_parameters_reserved);
 typedef struct lyapunov_energy_meter_f32screw {
-    /* Set by init: 0x261a92af. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x16b84d32. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
     uint32_t kept[16];
@@ -16869,7 +16869,7 @@ typedef struct lyapunov_energy_meter_f64screw_parameters {
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64screw_parameters) == 4, lyapunov_energy_meter_f64screw_parameters_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_energy_meter_f64screw_parameters, reserved) == 0, lyapunov_energy_meter_f64screw_parameters_reserved);
 typedef struct lyapunov_energy_meter_f64screw {
-    /* Set by init: 0x04ae8776. Storage is copied as any struct and compared by memcmp. */
+    /* Set by init: 0x79555c3f. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
     uint64_t kept[16];

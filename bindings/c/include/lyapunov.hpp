@@ -2839,104 +2839,104 @@ LYAPUNOV_BLOCK(lyapunov_wave_transform_f32)
 template <> class WaveTransform<float> : public detail::LyapunovBlock<lyapunov_wave_transform_f32> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32 encode(float flow, float effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f32 encode(float flow, float effort) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32 decode(float there, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f32 decode(float there, float back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32 effort(float flow, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f32 effort(float flow, float back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32 flow(float effort, float there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f32 flow(float effort, float there) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64)
 template <> class WaveTransform<double> : public detail::LyapunovBlock<lyapunov_wave_transform_f64> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64 encode(double flow, double effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f64 encode(double flow, double effort) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64 decode(double there, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f64 decode(double there, double back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64 effort(double flow, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f64 effort(double flow, double back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64 flow(double effort, double there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f64 flow(double effort, double there) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32x3)
 template <> class WaveTransform<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_wave_transform_f32x3> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) const noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) const noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) const noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64x3)
 template <> class WaveTransform<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_wave_transform_f64x3> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) const noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) const noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) const noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32x6)
 template <> class WaveTransform<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_wave_transform_f32x6> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64x6)
 template <> class WaveTransform<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_wave_transform_f64x6> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32screw)
 template <> class WaveTransform<Screw<float>> : public detail::LyapunovBlock<lyapunov_wave_transform_f32screw> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64screw)
 template <> class WaveTransform<Screw<double>> : public detail::LyapunovBlock<lyapunov_wave_transform_f64screw> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 /* Low pass in the path of a wave (WaveFilter). */
@@ -3005,56 +3005,56 @@ LYAPUNOV_BLOCK(lyapunov_wave_follower_f32)
 template <> class WaveFollower<float> : public detail::LyapunovBlock<lyapunov_wave_follower_f32> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f32 follow(float there, float error, float velocity) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64)
 template <> class WaveFollower<double> : public detail::LyapunovBlock<lyapunov_wave_follower_f64> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f64 follow(double there, double error, double velocity) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f32x3)
 template <> class WaveFollower<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_wave_follower_f32x3> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64x3)
 template <> class WaveFollower<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_wave_follower_f64x3> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f32x6)
 template <> class WaveFollower<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_wave_follower_f32x6> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64x6)
 template <> class WaveFollower<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_wave_follower_f64x6> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f32screw)
 template <> class WaveFollower<Screw<float>> : public detail::LyapunovBlock<lyapunov_wave_follower_f32screw> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64screw)
 template <> class WaveFollower<Screw<double>> : public detail::LyapunovBlock<lyapunov_wave_follower_f64screw> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 /* Observer alone (Observer): sums the port's energy and what the device's own damper burns, and changes no effort. */

@@ -111,6 +111,14 @@ pub unsafe trait Plain: Kind {}
 #[repr(transparent)]
 pub struct Whole<B>(B);
 
+impl<B> Whole<B> {
+    /// The value, to be looked at.
+    #[inline(always)]
+    pub(crate) fn value(&self) -> &B {
+        &self.0
+    }
+}
+
 impl<K: Plain> Keep<K> for Whole<K::Body> {
     #[inline(always)]
     fn keep(body: K::Body, _parameters: &K::Parameters) -> Self {

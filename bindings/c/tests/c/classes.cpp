@@ -139,6 +139,27 @@ void never_initialised()
     expect(std::isnan(sound.observed_energy()) == false, "a number of what is initialised");
 }
 
+// What has no memory is asked as it stands.
+double reflected(const lyapunov::WaveTransform<double> &transform, const lyapunov::WaveFollower<double> &follower)
+{
+    const auto sent = transform.encode(0.5, 3.0);
+    const auto told = transform.decode(sent.there, sent.back);
+    const auto pushed = transform.effort(told.flow, sent.back), moved = transform.flow(told.effort, sent.there);
+    return follower.follow(pushed.there, 0.0, 0.0).back + moved.back - sent.back;
+}
+
+void waves()
+{
+    lyapunov::WaveTransform<double> transform;
+    lyapunov::WaveFollower<double> follower;
+    expect(bool(transform.init({2.0})) && bool(follower.init({2.0, 0.0, 2.0})), "initialised");
+    // A matched slave reflects nothing.
+    expect(std::fabs(reflected(transform, follower)) < 1e-12, "the wave that came back");
+#if REFUSED == 8
+    transform.init({-2.0});
+#endif
+}
+
 // A block is its storage, whatever its verbs: as large, and copied byte by byte.
 template <class Block> constexpr bool is_its_storage()
 {
@@ -183,6 +204,7 @@ int main()
     views_of_eigen();
 #endif
     candidates();
+    waves();
     never_initialised();
     std::printf("%s\n", failures == 0 ? "classes: as they should" : "classes: FAILED");
     return failures == 0 ? 0 : 1;
