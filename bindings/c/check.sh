@@ -66,14 +66,29 @@ compiles_without_a_warning() {
     done
 }
 
+warns_of_a_refusal_that_nobody_looks_at() {
+    local compiler init='lyapunov_popc_f32_init(storage, given);'
+    for compiler in gcc clang; do
+        have $compiler || continue
+        # Compiled to the end: gcc does not warn where it only looks at the syntax.
+        if echo "#include <lyapunov.h>
+            void ignores(lyapunov_popc_f32 *storage, const lyapunov_popc_f32_parameters *given) { $init }" |
+            $compiler -std=c99 -Werror=unused-result -Iinclude -x c -S -o /dev/null - 2>"$out/ignored.log"; then
+            echo "$compiler does not warn where the status of init is ignored"
+            return 1
+        fi
+        grep -q 'unused-result' "$out/ignored.log" || { cat "$out/ignored.log"; return 1; }
+    done
+}
+
 refused_to_compile() { # compiler, cases in the words of the classes' test, flags
     local compiler=$1 case
     for case in $2; do
-        if $compiler -std=c++17 -Iinclude "${@:3}" -DREFUSED="$case" -fsyntax-only tests/c/classes.cpp 2>"$out/refused.log"; then
-            echo "tests/c/classes.cpp compiles with REFUSED=$case, and numbers that are not the vector's are read"
+        if $compiler -std=c++17 -Werror=unused-result -Iinclude "${@:3}" -DREFUSED="$case" -fsyntax-only tests/c/classes.cpp 2>"$out/refused.log"; then
+            echo "tests/c/classes.cpp compiles with REFUSED=$case: numbers that are not the vector's are read, or a refusal is not looked at"
             return 1
         fi
-        grep -qE 'numbers one after another|numbers of a matrix have no order' "$out/refused.log" || { cat "$out/refused.log"; return 1; }
+        grep -qE 'numbers one after another|numbers of a matrix have no order|nodiscard' "$out/refused.log" || { cat "$out/refused.log"; return 1; }
     done
 }
 
@@ -85,7 +100,7 @@ classes() { # what they take and answer, and what must not compile
         $compiler -std=c++17 -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude "${eigen[@]}" \
             tests/c/classes.cpp "$library" -lm -o "$out/classes"
         "$out/classes"
-        refused_to_compile $compiler "1 2 3"
+        refused_to_compile $compiler "1 2 3 8"
         [ ${#eigen[@]} -eq 0 ] || refused_to_compile $compiler "4 5 6 7" "${eigen[@]}"
     done
 }
@@ -236,6 +251,7 @@ step "what it exports"
 exports_what_the_header_says
 step "no warning"
 compiles_without_a_warning
+warns_of_a_refusal_that_nobody_looks_at
 library=target/release/liblyapunov_c.a
 step "examples by cmake"
 if have cmake; then

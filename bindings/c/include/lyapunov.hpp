@@ -60,7 +60,7 @@ enum class Code : lyapunov_code {
 };
 
 // What became of a call that may be refused; true if it was done.
-class Status {
+class [[nodiscard]] Status {
 public:
     explicit Status(const lyapunov_status &status) noexcept : status_(status) {}
     explicit operator bool() const noexcept { return status_.code == LYAPUNOV_OK; }
