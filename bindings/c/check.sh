@@ -66,6 +66,20 @@ compiles_without_a_warning() {
     done
 }
 
+tells_in_one_error_why_it_does_not_compile() { # flags, the error's beginning
+    local compiler
+    for compiler in g++ clang++; do
+        have $compiler || continue
+        # shellcheck disable=SC2086
+        if echo '#include <lyapunov.hpp>' | $compiler $1 -Iinclude -x c++ -fsyntax-only - 2>"$out/told.log" ||
+            ! grep -q "error: .*$2" "$out/told.log" || [ "$(grep -c 'error:' "$out/told.log")" != 1 ]; then
+            echo "$compiler $1 has not the one error '$2':"
+            cat "$out/told.log"
+            return 1
+        fi
+    done
+}
+
 warns_of_a_refusal_that_nobody_looks_at() {
     local compiler init='lyapunov_popc_f32_init(storage, given);'
     for compiler in gcc clang; do
@@ -252,6 +266,9 @@ exports_what_the_header_says
 step "no warning"
 compiles_without_a_warning
 warns_of_a_refusal_that_nobody_looks_at
+tells_in_one_error_why_it_does_not_compile -std=c++14 'lyapunov.hpp needs C++17'
+tells_in_one_error_why_it_does_not_compile '-std=c++17 -DStatus=int' 'a macro Status'
+tells_in_one_error_why_it_does_not_compile '-std=c++17 -Dread(a,b,c)=a' 'a macro read'
 library=target/release/liblyapunov_c.a
 step "examples by cmake"
 if have cmake; then

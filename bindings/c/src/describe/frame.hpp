@@ -11,6 +11,15 @@
 #ifndef LYAPUNOV_HPP
 #define LYAPUNOV_HPP
 
+// Each ends here: what follows would only be thousands of errors more.
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#error "lyapunov.hpp needs C++17: compile with -std=c++17, or /std:c++17"
+#elif defined(Status)
+#error "a macro Status, as <X11/Xlib.h> defines it, renames a class here: include lyapunov.hpp before it, or #undef Status"
+#elif defined(read)
+#error "a macro read, as <lwip/sockets.h> defines it, replaces a method here: include lyapunov.hpp before it, or #undef read"
+#else
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -313,5 +322,7 @@ template <class Form> auto eigen(const Form &axes) noexcept
 #undef LYAPUNOV_ACCOUNT
 
 } // namespace lyapunov
+
+#endif
 
 #endif
