@@ -107,13 +107,15 @@ refused_to_compile() { # compiler, cases in the words of the classes' test, flag
 }
 
 classes() { # what they take and answer, and what must not compile
-    local compiler eigen=(-DWITH_EIGEN -isystem /usr/include/eigen3)
+    local compiler standard eigen=(-DWITH_EIGEN -isystem /usr/include/eigen3)
     [ -d /usr/include/eigen3 ] || { skipped "classes with Eigen's vectors: Eigen is not here"; eigen=(); }
     for compiler in g++ clang++; do
         have $compiler || { skipped "classes with $compiler: it is not here"; continue; }
-        $compiler -std=c++17 -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude "${eigen[@]}" \
-            tests/c/classes.cpp "$library" -lm -o "$out/classes"
-        "$out/classes"
+        for standard in c++17 c++20; do
+            $compiler -std=$standard -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude "${eigen[@]}" \
+                tests/c/classes.cpp "$library" -lm -o "$out/classes"
+            "$out/classes"
+        done
         refused_to_compile $compiler "1 2 3 8"
         [ ${#eigen[@]} -eq 0 ] || refused_to_compile $compiler "4 5 6 7" "${eigen[@]}"
     done

@@ -27,6 +27,9 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#if __cplusplus > 201703L && __has_include(<span>)
+#include <span>
+#endif
 
 #include "lyapunov.h"
 
@@ -91,6 +94,11 @@ template <class T, std::size_t N> class View {
 public:
     View(const T (&numbers)[N]) noexcept : numbers_(numbers) {}
     View(const std::array<T, N> &numbers) noexcept : numbers_(numbers.data()) {}
+#ifdef __cpp_lib_span
+    // Of a fixed number: of another one it would not be known whether there are as many.
+    template <class Same, class = std::enable_if_t<std::is_same<std::remove_const_t<Same>, T>::value>>
+    View(std::span<Same, N> numbers) noexcept : numbers_(numbers.data()) {}
+#endif
     View(const Axes<T, N> &axes) noexcept : numbers_(axes.axis) {}
     // A twist or wrench is three numbers of translation and three of rotation, one after another.
     template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>

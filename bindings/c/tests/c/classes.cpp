@@ -51,6 +51,13 @@ void views()
     expect(is_one_two_three(array), "an array");
     expect(is_one_two_three(standard), "a std::array");
     expect(is_one_two_three(axes), "axes");
+#ifdef __cpp_lib_span
+    std::array<double, 3> own = standard;
+    expect(is_one_two_three(std::span<const double, 3>(standard)), "a span");
+    expect(is_one_two_three(std::span<double, 3>(own)), "a span of what may be written");
+    expect(is_one_two_three(std::span<const double>(numbers).first<3>()), "the first three of a span");
+    static_assert(!std::is_convertible<std::span<const double>, lyapunov::View<double, 3>>::value, "of any number");
+#endif
     expect(is_one_two_three(Numbers<1>{ numbers }), "a vector");
 #if REFUSED == 1
     expect(is_one_two_three(Numbers<2>{ numbers }), "a row");
