@@ -280,9 +280,10 @@ typedef struct lyapunov_wave_f32 {
     float flow;
     /* The effort, N. */
     float effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     float there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     float back;
 } lyapunov_wave_f32;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32) == 16, lyapunov_wave_f32_size);
@@ -360,9 +361,10 @@ typedef struct lyapunov_wave_f64 {
     double flow;
     /* The effort, N. */
     double effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     double there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     double back;
 } lyapunov_wave_f64;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64) == 32, lyapunov_wave_f64_size);
@@ -440,9 +442,10 @@ typedef struct lyapunov_wave_f32x3 {
     lyapunov_f32x3 flow;
     /* The effort, N. */
     lyapunov_f32x3 effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     lyapunov_f32x3 there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     lyapunov_f32x3 back;
 } lyapunov_wave_f32x3;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32x3) == 48, lyapunov_wave_f32x3_size);
@@ -520,9 +523,10 @@ typedef struct lyapunov_wave_f64x3 {
     lyapunov_f64x3 flow;
     /* The effort, N. */
     lyapunov_f64x3 effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     lyapunov_f64x3 there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     lyapunov_f64x3 back;
 } lyapunov_wave_f64x3;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64x3) == 96, lyapunov_wave_f64x3_size);
@@ -600,9 +604,10 @@ typedef struct lyapunov_wave_f32x6 {
     lyapunov_f32x6 flow;
     /* The effort, N. */
     lyapunov_f32x6 effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     lyapunov_f32x6 there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     lyapunov_f32x6 back;
 } lyapunov_wave_f32x6;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32x6) == 96, lyapunov_wave_f32x6_size);
@@ -680,9 +685,10 @@ typedef struct lyapunov_wave_f64x6 {
     lyapunov_f64x6 flow;
     /* The effort, N. */
     lyapunov_f64x6 effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     lyapunov_f64x6 there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     lyapunov_f64x6 back;
 } lyapunov_wave_f64x6;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64x6) == 192, lyapunov_wave_f64x6_size);
@@ -760,9 +766,10 @@ typedef struct lyapunov_wave_f32screw {
     lyapunov_f32screw flow;
     /* The effort, N. */
     lyapunov_f32screw effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     lyapunov_f32screw there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     lyapunov_f32screw back;
 } lyapunov_wave_f32screw;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f32screw) == 96, lyapunov_wave_f32screw_size);
@@ -840,9 +847,10 @@ typedef struct lyapunov_wave_f64screw {
     lyapunov_f64screw flow;
     /* The effort, N. */
     lyapunov_f64screw effort;
-    /* The wave that travels with the flow, root of W. */
+    /* The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an
+       effort F. */
     lyapunov_f64screw there;
-    /* The wave that comes back, root of W. */
+    /* The wave that comes back, root of W: (b v - F) / sqrt(2 b). */
     lyapunov_f64screw back;
 } lyapunov_wave_f64screw;
 LYAPUNOV_ASSERT(sizeof(lyapunov_wave_f64screw) == 192, lyapunov_wave_f64screw_size);
@@ -15301,8 +15309,10 @@ LYAPUNOV_API double lyapunov_two_layer_f64screw_sent(const lyapunov_two_layer_f6
 /* What the other side said it sent, J. Packets may come late, twice or not at all. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64screw_receive(lyapunov_two_layer_f64screw *storage, double energy);
 
-/* lyapunov_wave_transform_f32: Wave transformation (WaveTransform): waves of a flow and an effort, and the
-   other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f32: Wave transformation (WaveTransform): waves of a flow v and an effort F, and the
+   other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) /
+   sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out
+   so. */
 typedef struct lyapunov_wave_transform_f32_parameters {
     /* The wave impedance, N.s/m. */
     float impedance;
@@ -15344,8 +15354,10 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_effort(const lyapunov_wave_tra
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32_flow(const lyapunov_wave_transform_f32 *storage, float effort, float there, lyapunov_wave_f32 *wave);
 
-/* lyapunov_wave_transform_f64: Wave transformation (WaveTransform): waves of a flow and an effort, and the
-   other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f64: Wave transformation (WaveTransform): waves of a flow v and an effort F, and the
+   other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) /
+   sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out
+   so. */
 typedef struct lyapunov_wave_transform_f64_parameters {
     /* The wave impedance, N.s/m. */
     double impedance;
@@ -15387,8 +15399,10 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_effort(const lyapunov_wave_tra
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64_flow(const lyapunov_wave_transform_f64 *storage, double effort, double there, lyapunov_wave_f64 *wave);
 
-/* lyapunov_wave_transform_f32x3: Wave transformation (WaveTransform): waves of a flow and an effort, and the
-   other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f32x3: Wave transformation (WaveTransform): waves of a flow v and an effort F, and
+   the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) /
+   sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out
+   so. */
 typedef struct lyapunov_wave_transform_f32x3_parameters {
     /* The wave impedance, N.s/m. */
     float impedance;
@@ -15430,8 +15444,10 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_effort(const lyapunov_wave_t
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x3_flow(const lyapunov_wave_transform_f32x3 *storage, const lyapunov_f32x3 *effort, const lyapunov_f32x3 *there, lyapunov_wave_f32x3 *wave);
 
-/* lyapunov_wave_transform_f64x3: Wave transformation (WaveTransform): waves of a flow and an effort, and the
-   other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f64x3: Wave transformation (WaveTransform): waves of a flow v and an effort F, and
+   the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) /
+   sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out
+   so. */
 typedef struct lyapunov_wave_transform_f64x3_parameters {
     /* The wave impedance, N.s/m. */
     double impedance;
@@ -15473,8 +15489,10 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_effort(const lyapunov_wave_t
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x3_flow(const lyapunov_wave_transform_f64x3 *storage, const lyapunov_f64x3 *effort, const lyapunov_f64x3 *there, lyapunov_wave_f64x3 *wave);
 
-/* lyapunov_wave_transform_f32x6: Wave transformation (WaveTransform): waves of a flow and an effort, and the
-   other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f32x6: Wave transformation (WaveTransform): waves of a flow v and an effort F, and
+   the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) /
+   sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out
+   so. */
 typedef struct lyapunov_wave_transform_f32x6_parameters {
     /* The wave impedance, N.s/m. */
     float impedance;
@@ -15516,8 +15534,10 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_effort(const lyapunov_wave_t
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32x6_flow(const lyapunov_wave_transform_f32x6 *storage, const lyapunov_f32x6 *effort, const lyapunov_f32x6 *there, lyapunov_wave_f32x6 *wave);
 
-/* lyapunov_wave_transform_f64x6: Wave transformation (WaveTransform): waves of a flow and an effort, and the
-   other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f64x6: Wave transformation (WaveTransform): waves of a flow v and an effort F, and
+   the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) /
+   sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out
+   so. */
 typedef struct lyapunov_wave_transform_f64x6_parameters {
     /* The wave impedance, N.s/m. */
     double impedance;
@@ -15559,8 +15579,10 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_effort(const lyapunov_wave_t
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f64x6_flow(const lyapunov_wave_transform_f64x6 *storage, const lyapunov_f64x6 *effort, const lyapunov_f64x6 *there, lyapunov_wave_f64x6 *wave);
 
-/* lyapunov_wave_transform_f32screw: Wave transformation (WaveTransform): waves of a flow and an effort, and
-   the other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f32screw: Wave transformation (WaveTransform): waves of a flow v and an effort F,
+   and the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v -
+   F) / sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes
+   out so. */
 typedef struct lyapunov_wave_transform_f32screw_parameters {
     /* The wave impedance, N.s/m. */
     float impedance;
@@ -15602,8 +15624,10 @@ LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_effort(const lyapunov_wav
 /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
 LYAPUNOV_API uint32_t lyapunov_wave_transform_f32screw_flow(const lyapunov_wave_transform_f32screw *storage, const lyapunov_f32screw *effort, const lyapunov_f32screw *there, lyapunov_wave_f32screw *wave);
 
-/* lyapunov_wave_transform_f64screw: Wave transformation (WaveTransform): waves of a flow and an effort, and
-   the other way round. It has no memory, and what is not finite comes out so. */
+/* lyapunov_wave_transform_f64screw: Wave transformation (WaveTransform): waves of a flow v and an effort F,
+   and the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v -
+   F) / sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes
+   out so. */
 typedef struct lyapunov_wave_transform_f64screw_parameters {
     /* The wave impedance, N.s/m. */
     double impedance;

@@ -2849,7 +2849,7 @@ public:
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_receive(&storage, energy)); }
 };
 
-/* Wave transformation (WaveTransform): waves of a flow and an effort, and the other way round. It has no memory, and what is not finite comes out so. */
+/* Wave transformation (WaveTransform): waves of a flow v and an effort F, and the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) / sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out so. */
 template <class Signal> class WaveTransform;
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32)

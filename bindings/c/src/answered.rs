@@ -17,9 +17,9 @@ form! {
         pub flow: V::Form,
         /// The effort, N.
         pub effort: V::Form,
-        /// The wave that travels with the flow, root of W.
+        /// The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an effort F.
         pub there: V::Form,
-        /// The wave that comes back, root of W.
+        /// The wave that comes back, root of W: (b v - F) / sqrt(2 b).
         pub back: V::Form,
     }
 }
