@@ -2586,7 +2586,7 @@ public:
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32_receive(&storage, energy)); }
 };
 
@@ -2597,7 +2597,7 @@ public:
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64_receive(&storage, energy)); }
 };
 
@@ -2608,7 +2608,7 @@ public:
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x3_receive(&storage, energy)); }
 };
 
@@ -2619,7 +2619,7 @@ public:
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x3_receive(&storage, energy)); }
 };
 
@@ -2630,7 +2630,7 @@ public:
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x6_receive(&storage, energy)); }
 };
 
@@ -2641,7 +2641,7 @@ public:
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x6_receive(&storage, energy)); }
 };
 
@@ -2652,7 +2652,7 @@ public:
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32screw_receive(&storage, energy)); }
 };
 
@@ -2663,7 +2663,7 @@ public:
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_receive(&storage, energy)); }
 };
 
@@ -2677,7 +2677,7 @@ public:
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32_receive(&storage, energy)); }
 };
 
@@ -2688,7 +2688,7 @@ public:
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64_receive(&storage, energy)); }
 };
 
@@ -2699,7 +2699,7 @@ public:
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x3_receive(&storage, energy)); }
 };
 
@@ -2710,7 +2710,7 @@ public:
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x3_receive(&storage, energy)); }
 };
 
@@ -2721,7 +2721,7 @@ public:
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x6_receive(&storage, energy)); }
 };
 
@@ -2732,7 +2732,7 @@ public:
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x6_receive(&storage, energy)); }
 };
 
@@ -2743,7 +2743,7 @@ public:
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32screw_receive(&storage, energy)); }
 };
 
@@ -2754,7 +2754,7 @@ public:
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64screw_receive(&storage, energy)); }
 };
 
@@ -2768,7 +2768,7 @@ public:
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32_receive(&storage, energy)); }
 };
 
@@ -2779,7 +2779,7 @@ public:
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64_receive(&storage, energy)); }
 };
 
@@ -2790,7 +2790,7 @@ public:
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x3_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x3_receive(&storage, energy)); }
 };
 
@@ -2801,7 +2801,7 @@ public:
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x3_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x3_receive(&storage, energy)); }
 };
 
@@ -2812,7 +2812,7 @@ public:
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x6_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x6_receive(&storage, energy)); }
 };
 
@@ -2823,7 +2823,7 @@ public:
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x6_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x6_receive(&storage, energy)); }
 };
 
@@ -2834,7 +2834,7 @@ public:
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32screw_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32screw_receive(&storage, energy)); }
 };
 
@@ -2845,7 +2845,7 @@ public:
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64screw_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_receive(&storage, energy)); }
 };
 
