@@ -881,7 +881,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_damping_limit_f64_of
 typedef struct lyapunov_readings_f32_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32_parameters) == 8, lyapunov_readings_f32_parameters_size);
@@ -927,7 +927,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f32_restart(lyapunov_readings_f32 *stora
 typedef struct lyapunov_readings_f64_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64_parameters) == 16, lyapunov_readings_f64_parameters_size);
@@ -973,7 +973,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f64_restart(lyapunov_readings_f64 *stora
 typedef struct lyapunov_readings_f32x3_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32x3_parameters) == 8, lyapunov_readings_f32x3_parameters_size);
@@ -1019,7 +1019,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f32x3_restart(lyapunov_readings_f32x3 *s
 typedef struct lyapunov_readings_f64x3_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64x3_parameters) == 16, lyapunov_readings_f64x3_parameters_size);
@@ -1065,7 +1065,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f64x3_restart(lyapunov_readings_f64x3 *s
 typedef struct lyapunov_readings_f32x6_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32x6_parameters) == 8, lyapunov_readings_f32x6_parameters_size);
@@ -1111,7 +1111,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f32x6_restart(lyapunov_readings_f32x6 *s
 typedef struct lyapunov_readings_f64x6_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64x6_parameters) == 16, lyapunov_readings_f64x6_parameters_size);
@@ -1157,7 +1157,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f64x6_restart(lyapunov_readings_f64x6 *s
 typedef struct lyapunov_readings_f32screw_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f32screw_parameters) == 8, lyapunov_readings_f32screw_parameters_size);
@@ -1203,7 +1203,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f32screw_restart(lyapunov_readings_f32sc
 typedef struct lyapunov_readings_f64screw_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_f64screw_parameters) == 16, lyapunov_readings_f64screw_parameters_size);
@@ -1248,7 +1248,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_f64screw_restart(lyapunov_readings_f64sc
 typedef struct lyapunov_readings_measured_f32_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_measured_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32_parameters) == 8, lyapunov_readings_measured_f32_parameters_size);
@@ -1294,7 +1294,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f32_restart(lyapunov_readings_m
 typedef struct lyapunov_readings_measured_f64_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_measured_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64_parameters) == 16, lyapunov_readings_measured_f64_parameters_size);
@@ -1340,7 +1340,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f64_restart(lyapunov_readings_m
 typedef struct lyapunov_readings_measured_f32x3_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_measured_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32x3_parameters) == 8, lyapunov_readings_measured_f32x3_parameters_size);
@@ -1386,7 +1386,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f32x3_restart(lyapunov_readings
 typedef struct lyapunov_readings_measured_f64x3_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_measured_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64x3_parameters) == 16, lyapunov_readings_measured_f64x3_parameters_size);
@@ -1432,7 +1432,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f64x3_restart(lyapunov_readings
 typedef struct lyapunov_readings_measured_f32x6_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_measured_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32x6_parameters) == 8, lyapunov_readings_measured_f32x6_parameters_size);
@@ -1478,7 +1478,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f32x6_restart(lyapunov_readings
 typedef struct lyapunov_readings_measured_f64x6_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_measured_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64x6_parameters) == 16, lyapunov_readings_measured_f64x6_parameters_size);
@@ -1524,7 +1524,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f64x6_restart(lyapunov_readings
 typedef struct lyapunov_readings_measured_f32screw_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
 } lyapunov_readings_measured_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f32screw_parameters) == 8, lyapunov_readings_measured_f32screw_parameters_size);
@@ -1570,7 +1570,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f32screw_restart(lyapunov_readi
 typedef struct lyapunov_readings_measured_f64screw_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
 } lyapunov_readings_measured_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_f64screw_parameters) == 16, lyapunov_readings_measured_f64screw_parameters_size);
@@ -1616,7 +1616,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_f64screw_restart(lyapunov_readi
 typedef struct lyapunov_readings_low_passed_f32_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
     /* Cutoff of the low pass, Hz. */
     float cutoff;
@@ -1664,7 +1664,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32_restart(lyapunov_readings
 typedef struct lyapunov_readings_low_passed_f64_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
     /* Cutoff of the low pass, Hz. */
     double cutoff;
@@ -1712,7 +1712,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64_restart(lyapunov_readings
 typedef struct lyapunov_readings_low_passed_f32x3_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
     /* Cutoff of the low pass, Hz. */
     float cutoff;
@@ -1760,7 +1760,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32x3_restart(lyapunov_readin
 typedef struct lyapunov_readings_low_passed_f64x3_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
     /* Cutoff of the low pass, Hz. */
     double cutoff;
@@ -1808,7 +1808,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64x3_restart(lyapunov_readin
 typedef struct lyapunov_readings_low_passed_f32x6_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
     /* Cutoff of the low pass, Hz. */
     float cutoff;
@@ -1856,7 +1856,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f32x6_restart(lyapunov_readin
 typedef struct lyapunov_readings_low_passed_f64x6_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
     /* Cutoff of the low pass, Hz. */
     double cutoff;
@@ -1904,7 +1904,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_low_passed_f64x6_restart(lyapunov_readin
 typedef struct lyapunov_readings_windowed_f32_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -1955,7 +1955,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32_restart(lyapunov_readings_w
 typedef struct lyapunov_readings_windowed_f64_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -2006,7 +2006,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64_restart(lyapunov_readings_w
 typedef struct lyapunov_readings_windowed_f32x3_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -2057,7 +2057,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32x3_restart(lyapunov_readings
 typedef struct lyapunov_readings_windowed_f64x3_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -2108,7 +2108,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x3_restart(lyapunov_readings
 typedef struct lyapunov_readings_windowed_f32x6_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     float fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -2159,7 +2159,7 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f32x6_restart(lyapunov_readings
 typedef struct lyapunov_readings_windowed_f64x6_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. */
     double fastest;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -2210,8 +2210,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_windowed_f64x6_restart(lyapunov_readings
 typedef struct lyapunov_readings_clocked_f32_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period, so that the velocity may be above it. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32_parameters) == 8, lyapunov_readings_clocked_f32_parameters_size);
@@ -2256,8 +2256,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32_restart(lyapunov_readings_cl
 typedef struct lyapunov_readings_clocked_f64_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period, so that the velocity may be above it. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64_parameters) == 16, lyapunov_readings_clocked_f64_parameters_size);
@@ -2302,8 +2302,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64_restart(lyapunov_readings_cl
 typedef struct lyapunov_readings_clocked_f32x3_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period, so that the velocity may be above it. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x3_parameters) == 8, lyapunov_readings_clocked_f32x3_parameters_size);
@@ -2348,8 +2348,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x3_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f64x3_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period, so that the velocity may be above it. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x3_parameters) == 16, lyapunov_readings_clocked_f64x3_parameters_size);
@@ -2394,8 +2394,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x3_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f32x6_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period, so that the velocity may be above it. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period, so that the velocity may be above it. */
     float fastest;
 } lyapunov_readings_clocked_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f32x6_parameters) == 8, lyapunov_readings_clocked_f32x6_parameters_size);
@@ -2440,8 +2440,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f32x6_restart(lyapunov_readings_
 typedef struct lyapunov_readings_clocked_f64x6_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period, so that the velocity may be above it. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period, so that the velocity may be above it. */
     double fastest;
 } lyapunov_readings_clocked_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_clocked_f64x6_parameters) == 16, lyapunov_readings_clocked_f64x6_parameters_size);
@@ -2486,8 +2486,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_clocked_f64x6_restart(lyapunov_readings_
 typedef struct lyapunov_readings_measured_clocked_f32_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32_parameters) == 8, lyapunov_readings_measured_clocked_f32_parameters_size);
@@ -2532,8 +2532,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32_restart(lyapunov_re
 typedef struct lyapunov_readings_measured_clocked_f64_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64_parameters) == 16, lyapunov_readings_measured_clocked_f64_parameters_size);
@@ -2578,8 +2578,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64_restart(lyapunov_re
 typedef struct lyapunov_readings_measured_clocked_f32x3_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x3_parameters) == 8, lyapunov_readings_measured_clocked_f32x3_parameters_size);
@@ -2624,8 +2624,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x3_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f64x3_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x3_parameters) == 16, lyapunov_readings_measured_clocked_f64x3_parameters_size);
@@ -2670,8 +2670,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x3_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f32x6_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period. */
     float fastest;
 } lyapunov_readings_measured_clocked_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f32x6_parameters) == 8, lyapunov_readings_measured_clocked_f32x6_parameters_size);
@@ -2716,8 +2716,8 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f32x6_restart(lyapunov_
 typedef struct lyapunov_readings_measured_clocked_f64x6_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion, m/s; infinity: no limit. Over less than a period a jump counts as one over a whole
-       period. */
+    /* The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump counts as one over
+       a whole period. */
     double fastest;
 } lyapunov_readings_measured_clocked_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_measured_clocked_f64x6_parameters) == 16, lyapunov_readings_measured_clocked_f64x6_parameters_size);
@@ -2763,9 +2763,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_measured_clocked_f64x6_restart(lyapunov_
 typedef struct lyapunov_readings_of_poses_f32screw_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f32screw_parameters) == 12, lyapunov_readings_of_poses_f32screw_parameters_size);
@@ -2812,9 +2812,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f32screw_restart(lyapunov_readi
 typedef struct lyapunov_readings_of_poses_f64screw_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_f64screw_parameters) == 24, lyapunov_readings_of_poses_f64screw_parameters_size);
@@ -2860,9 +2860,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_f64screw_restart(lyapunov_readi
 typedef struct lyapunov_readings_of_poses_measured_f32screw_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_measured_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f32screw_parameters) == 12, lyapunov_readings_of_poses_measured_f32screw_parameters_size);
@@ -2909,9 +2909,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f32screw_restart(lyapu
 typedef struct lyapunov_readings_of_poses_measured_f64screw_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_measured_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_f64screw_parameters) == 24, lyapunov_readings_of_poses_measured_f64screw_parameters_size);
@@ -2958,9 +2958,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_f64screw_restart(lyapu
 typedef struct lyapunov_readings_of_poses_low_passed_f32screw_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     float fastest_rotation;
     /* Cutoff of the low pass, Hz. */
     float cutoff;
@@ -3009,9 +3009,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f32screw_restart(lya
 typedef struct lyapunov_readings_of_poses_low_passed_f64screw_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     double fastest_rotation;
     /* Cutoff of the low pass, Hz. */
     double cutoff;
@@ -3060,9 +3060,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_low_passed_f64screw_restart(lya
 typedef struct lyapunov_readings_of_poses_windowed_f32screw_parameters {
     /* The period, s. */
     float period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     float fastest_rotation;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -3114,9 +3114,9 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f32screw_restart(lyapu
 typedef struct lyapunov_readings_of_poses_windowed_f64screw_parameters {
     /* The period, s. */
     double period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. */
     double fastest_rotation;
     /* The number of readings, 1 to 16. */
     uint32_t ticks;
@@ -3168,10 +3168,10 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_windowed_f64screw_restart(lyapu
 typedef struct lyapunov_readings_of_poses_clocked_f32screw_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
-       whole period, so that the twist may be above it. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. Over less than a period a jump counts as one
+       over a whole period, so that the twist may be above it. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_clocked_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_clocked_f32screw_parameters_size);
@@ -3217,10 +3217,10 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f32screw_restart(lyapun
 typedef struct lyapunov_readings_of_poses_clocked_f64screw_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
-       whole period, so that the twist may be above it. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. Over less than a period a jump counts as one
+       over a whole period, so that the twist may be above it. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_clocked_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_clocked_f64screw_parameters_size);
@@ -3266,10 +3266,10 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_clocked_f64screw_restart(lyapun
 typedef struct lyapunov_readings_of_poses_measured_clocked_f32screw_parameters {
     /* The period that is meant, s. */
     float period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     float fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
-       whole period. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. Over less than a period a jump counts as one
+       over a whole period. */
     float fastest_rotation;
 } lyapunov_readings_of_poses_measured_clocked_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f32screw_parameters) == 12, lyapunov_readings_of_poses_measured_clocked_f32screw_parameters_size);
@@ -3315,10 +3315,10 @@ LYAPUNOV_API uint32_t lyapunov_readings_of_poses_measured_clocked_f32screw_resta
 typedef struct lyapunov_readings_of_poses_measured_clocked_f64screw_parameters {
     /* The period that is meant, s. */
     double period;
-    /* The fastest motion of the reference point, m/s; infinity: no limit. */
+    /* The fastest motion of the reference point, m/s, above 0; infinity: no limit. */
     double fastest_translation;
-    /* The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump counts as one over a
-       whole period. */
+    /* The fastest rotation, rad/s, above 0; infinity: no limit. Over less than a period a jump counts as one
+       over a whole period. */
     double fastest_rotation;
 } lyapunov_readings_of_poses_measured_clocked_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_readings_of_poses_measured_clocked_f64screw_parameters) == 24, lyapunov_readings_of_poses_measured_clocked_f64screw_parameters_size);
@@ -11047,7 +11047,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_part_limits_f64screw
 
 /* lyapunov_force_bound_f32: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f32_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bound_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32_parameters) == 4, lyapunov_force_bound_f32_parameters_size);
@@ -11091,7 +11091,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f32_owe(
 
 /* lyapunov_force_bound_f64: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f64_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bound_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64_parameters) == 8, lyapunov_force_bound_f64_parameters_size);
@@ -11135,7 +11135,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f64_owe(
 
 /* lyapunov_force_bound_f32x3: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f32x3_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bound_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32x3_parameters) == 4, lyapunov_force_bound_f32x3_parameters_size);
@@ -11179,7 +11179,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f32x3_ow
 
 /* lyapunov_force_bound_f64x3: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f64x3_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bound_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64x3_parameters) == 8, lyapunov_force_bound_f64x3_parameters_size);
@@ -11223,7 +11223,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f64x3_ow
 
 /* lyapunov_force_bound_f32x6: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f32x6_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bound_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32x6_parameters) == 4, lyapunov_force_bound_f32x6_parameters_size);
@@ -11267,7 +11267,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f32x6_ow
 
 /* lyapunov_force_bound_f64x6: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f64x6_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bound_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64x6_parameters) == 8, lyapunov_force_bound_f64x6_parameters_size);
@@ -11311,7 +11311,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f64x6_ow
 
 /* lyapunov_force_bound_f32screw: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f32screw_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bound_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f32screw_parameters) == 4, lyapunov_force_bound_f32screw_parameters_size);
@@ -11355,7 +11355,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f32screw
 
 /* lyapunov_force_bound_f64screw: Force bounding that keeps what free motion dissipated (ForceBound). */
 typedef struct lyapunov_force_bound_f64screw_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bound_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bound_f64screw_parameters) == 8, lyapunov_force_bound_f64screw_parameters_size);
@@ -11399,7 +11399,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bound_f64screw
 
 /* lyapunov_force_bounding_f32: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f32_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bounding_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32_parameters) == 4, lyapunov_force_bounding_f32_parameters_size);
@@ -11443,7 +11443,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f32_o
 
 /* lyapunov_force_bounding_f64: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f64_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bounding_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64_parameters) == 8, lyapunov_force_bounding_f64_parameters_size);
@@ -11487,7 +11487,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f64_o
 
 /* lyapunov_force_bounding_f32x3: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f32x3_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bounding_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32x3_parameters) == 4, lyapunov_force_bounding_f32x3_parameters_size);
@@ -11531,7 +11531,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f32x3
 
 /* lyapunov_force_bounding_f64x3: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f64x3_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bounding_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64x3_parameters) == 8, lyapunov_force_bounding_f64x3_parameters_size);
@@ -11575,7 +11575,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f64x3
 
 /* lyapunov_force_bounding_f32x6: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f32x6_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bounding_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32x6_parameters) == 4, lyapunov_force_bounding_f32x6_parameters_size);
@@ -11619,7 +11619,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f32x6
 
 /* lyapunov_force_bounding_f64x6: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f64x6_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bounding_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64x6_parameters) == 8, lyapunov_force_bounding_f64x6_parameters_size);
@@ -11663,7 +11663,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f64x6
 
 /* lyapunov_force_bounding_f32screw: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f32screw_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     float damping;
 } lyapunov_force_bounding_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f32screw_parameters) == 4, lyapunov_force_bounding_f32screw_parameters_size);
@@ -11707,7 +11707,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f32sc
 
 /* lyapunov_force_bounding_f64screw: Force bounding that starts anew at each contact (ForceBounding). */
 typedef struct lyapunov_force_bounding_f64screw_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, at least 0. */
     double damping;
 } lyapunov_force_bounding_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_force_bounding_f64screw_parameters) == 8, lyapunov_force_bounding_f64screw_parameters_size);
@@ -11753,9 +11753,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_force_bounding_f64sc
 typedef struct lyapunov_tank_f32_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -11809,9 +11809,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f32_owe(lyapuno
 typedef struct lyapunov_tank_f64_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -11865,9 +11865,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f64_owe(lyapuno
 typedef struct lyapunov_tank_f32x3_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -11921,9 +11921,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f32x3_owe(lyapu
 typedef struct lyapunov_tank_f64x3_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -11977,9 +11977,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f64x3_owe(lyapu
 typedef struct lyapunov_tank_f32x6_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -12033,9 +12033,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f32x6_owe(lyapu
 typedef struct lyapunov_tank_f64x6_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -12089,9 +12089,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f64x6_owe(lyapu
 typedef struct lyapunov_tank_f32screw_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -12145,9 +12145,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f32screw_owe(ly
 typedef struct lyapunov_tank_f64screw_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -12203,9 +12203,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_tank_f64screw_owe(ly
 typedef struct lyapunov_energy_tank_f32_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -12254,9 +12254,9 @@ LYAPUNOV_API float lyapunov_energy_tank_f32_energy(const lyapunov_energy_tank_f3
 typedef struct lyapunov_energy_tank_f64_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -12305,9 +12305,9 @@ LYAPUNOV_API double lyapunov_energy_tank_f64_energy(const lyapunov_energy_tank_f
 typedef struct lyapunov_energy_tank_f32x3_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -12356,9 +12356,9 @@ LYAPUNOV_API float lyapunov_energy_tank_f32x3_energy(const lyapunov_energy_tank_
 typedef struct lyapunov_energy_tank_f64x3_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -12407,9 +12407,9 @@ LYAPUNOV_API double lyapunov_energy_tank_f64x3_energy(const lyapunov_energy_tank
 typedef struct lyapunov_energy_tank_f32x6_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -12458,9 +12458,9 @@ LYAPUNOV_API float lyapunov_energy_tank_f32x6_energy(const lyapunov_energy_tank_
 typedef struct lyapunov_energy_tank_f64x6_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -12509,9 +12509,9 @@ LYAPUNOV_API double lyapunov_energy_tank_f64x6_energy(const lyapunov_energy_tank
 typedef struct lyapunov_energy_tank_f32screw_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     float start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     float floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     float ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     float power;
@@ -12560,9 +12560,9 @@ LYAPUNOV_API float lyapunov_energy_tank_f32screw_energy(const lyapunov_energy_ta
 typedef struct lyapunov_energy_tank_f64screw_parameters {
     /* Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not. */
     double start;
-    /* The least energy, J. */
+    /* The least energy, J, at least 0 and at most `ceiling`. */
     double floor;
-    /* The most energy, J; infinity: no limit. */
+    /* The most energy, J, at least `floor`; infinity: no limit. */
     double ceiling;
     /* The most power that is drawn, W; infinity: no limit. */
     double power;
@@ -12607,9 +12607,9 @@ LYAPUNOV_API double lyapunov_energy_tank_f64screw_energy(const lyapunov_energy_t
 
 /* lyapunov_energy_bounding_f32: Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 typedef struct lyapunov_energy_bounding_f32_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     float damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     float period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -12657,9 +12657,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_energy_bounding_f32_
 
 /* lyapunov_energy_bounding_f64: Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 typedef struct lyapunov_energy_bounding_f64_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     double damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     double period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -12707,9 +12707,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_energy_bounding_f64_
 
 /* lyapunov_energy_bounding_f32x3: Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 typedef struct lyapunov_energy_bounding_f32x3_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     float damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     float period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -12757,9 +12757,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_energy_bounding_f32x
 
 /* lyapunov_energy_bounding_f64x3: Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 typedef struct lyapunov_energy_bounding_f64x3_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     double damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     double period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -12807,9 +12807,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_energy_bounding_f64x
 
 /* lyapunov_energy_bounding_f32x6: Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 typedef struct lyapunov_energy_bounding_f32x6_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     float damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     float period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -12857,9 +12857,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_energy_bounding_f32x
 
 /* lyapunov_energy_bounding_f64x6: Energy-bounding algorithm (EnergyBounding), for a force that may act late. */
 typedef struct lyapunov_energy_bounding_f64x6_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     double damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     double period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -12908,9 +12908,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_energy_bounding_f64x
 /* lyapunov_energy_bounding_f32screw: Energy-bounding algorithm (EnergyBounding), for a force that may act
    late. */
 typedef struct lyapunov_energy_bounding_f32screw_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     float damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     float period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -12959,9 +12959,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_energy_bounding_f32s
 /* lyapunov_energy_bounding_f64screw: Energy-bounding algorithm (EnergyBounding), for a force that may act
    late. */
 typedef struct lyapunov_energy_bounding_f64screw_parameters {
-    /* Damping that the device surely has, N.s/m. */
+    /* Damping that the device surely has, N.s/m, above 0. */
     double damping;
-    /* The period, s. */
+    /* The period, s, above 0. */
     double period;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -13450,7 +13450,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_least_norm_f64screw_
 /* lyapunov_slope_bound_f32: Slope bound (SlopeBound): efforts change no faster with the displacement than a
    slope. */
 typedef struct lyapunov_slope_bound_f32_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     float slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
@@ -13498,7 +13498,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f32_owe(
 /* lyapunov_slope_bound_f64: Slope bound (SlopeBound): efforts change no faster with the displacement than a
    slope. */
 typedef struct lyapunov_slope_bound_f64_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     double slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
@@ -13546,7 +13546,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f64_owe(
 /* lyapunov_slope_bound_f32x3: Slope bound (SlopeBound): efforts change no faster with the displacement than a
    slope. */
 typedef struct lyapunov_slope_bound_f32x3_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     float slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
@@ -13594,7 +13594,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f32x3_ow
 /* lyapunov_slope_bound_f64x3: Slope bound (SlopeBound): efforts change no faster with the displacement than a
    slope. */
 typedef struct lyapunov_slope_bound_f64x3_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     double slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
@@ -13642,7 +13642,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f64x3_ow
 /* lyapunov_slope_bound_f32x6: Slope bound (SlopeBound): efforts change no faster with the displacement than a
    slope. */
 typedef struct lyapunov_slope_bound_f32x6_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     float slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
@@ -13690,7 +13690,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f32x6_ow
 /* lyapunov_slope_bound_f64x6: Slope bound (SlopeBound): efforts change no faster with the displacement than a
    slope. */
 typedef struct lyapunov_slope_bound_f64x6_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     double slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
@@ -13738,7 +13738,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f64x6_ow
 /* lyapunov_slope_bound_f32screw: Slope bound (SlopeBound): efforts change no faster with the displacement than
    a slope. */
 typedef struct lyapunov_slope_bound_f32screw_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     float slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     float creep;
@@ -13786,7 +13786,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f32screw
 /* lyapunov_slope_bound_f64screw: Slope bound (SlopeBound): efforts change no faster with the displacement than
    a slope. */
 typedef struct lyapunov_slope_bound_f64screw_parameters {
-    /* The slope, N/m. */
+    /* The slope, N/m, above 0. */
     double slope;
     /* The rate at which withheld force is let through, N/s; 0: none of it. */
     double creep;
@@ -13836,7 +13836,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_slope_bound_f64screw
 typedef struct lyapunov_memory_based_f32_parameters {
     /* Position of the wall's surface, m. */
     float surface;
-    /* The depth that the cells span, m. */
+    /* The depth that the cells span, m, above 0. */
     float depth;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -13887,7 +13887,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_memory_based_f32_owe
 typedef struct lyapunov_memory_based_f64_parameters {
     /* Position of the wall's surface, m. */
     double surface;
-    /* The depth that the cells span, m. */
+    /* The depth that the cells span, m, above 0. */
     double depth;
     /* The delay of the force in ticks. */
     uint32_t late;
@@ -13938,7 +13938,7 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_memory_based_f64_owe
 typedef struct lyapunov_path_memory_f32_parameters {
     /* Position of the wall's surface, m. */
     float surface;
-    /* The depth that the cells span, m. */
+    /* The depth that the cells span, m, above 0. */
     float depth;
 } lyapunov_path_memory_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_path_memory_f32_parameters) == 8, lyapunov_path_memory_f32_parameters_size);
@@ -13978,7 +13978,7 @@ LYAPUNOV_API uint32_t lyapunov_path_memory_f32_step(lyapunov_path_memory_f32 *st
 typedef struct lyapunov_path_memory_f64_parameters {
     /* Position of the wall's surface, m. */
     double surface;
-    /* The depth that the cells span, m. */
+    /* The depth that the cells span, m, above 0. */
     double depth;
 } lyapunov_path_memory_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_path_memory_f64_parameters) == 16, lyapunov_path_memory_f64_parameters_size);
@@ -14424,7 +14424,7 @@ LYAPUNOV_API uint32_t lyapunov_two_port_side_f64screw_receive(lyapunov_two_port_
 /* lyapunov_drift_compensated_f32: Side of a two-port with an admittance, which makes up for the drift of its
    commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f32_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     float speed;
@@ -14481,7 +14481,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32_receive(lyapunov_drift_comp
 /* lyapunov_drift_compensated_f64: Side of a two-port with an admittance, which makes up for the drift of its
    commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f64_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     double speed;
@@ -14538,7 +14538,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64_receive(lyapunov_drift_comp
 /* lyapunov_drift_compensated_f32x3: Side of a two-port with an admittance, which makes up for the drift of its
    commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f32x3_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     float speed;
@@ -14595,7 +14595,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x3_receive(lyapunov_drift_co
 /* lyapunov_drift_compensated_f64x3: Side of a two-port with an admittance, which makes up for the drift of its
    commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f64x3_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     double speed;
@@ -14652,7 +14652,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x3_receive(lyapunov_drift_co
 /* lyapunov_drift_compensated_f32x6: Side of a two-port with an admittance, which makes up for the drift of its
    commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f32x6_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     float speed;
@@ -14709,7 +14709,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x6_receive(lyapunov_drift_co
 /* lyapunov_drift_compensated_f64x6: Side of a two-port with an admittance, which makes up for the drift of its
    commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f64x6_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     double speed;
@@ -14766,7 +14766,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x6_receive(lyapunov_drift_co
 /* lyapunov_drift_compensated_f32screw: Side of a two-port with an admittance, which makes up for the drift of
    its commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f32screw_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     float speed;
@@ -14823,7 +14823,7 @@ LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32screw_receive(lyapunov_drift
 /* lyapunov_drift_compensated_f64screw: Side of a two-port with an admittance, which makes up for the drift of
    its commanded motion (DriftCompensated). */
 typedef struct lyapunov_drift_compensated_f64screw_parameters {
-    /* Largest mobility, m/(N.s). */
+    /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;
     /* The largest speed of compensation on each axis, m/s; infinity: no limit. */
     double speed;
@@ -16664,7 +16664,7 @@ LYAPUNOV_API uint32_t lyapunov_observer_f64screw_observe(lyapunov_observer_f64sc
 /* lyapunov_energy_meter_f32: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in sums
    that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f32_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f32_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32_parameters) == 4, lyapunov_energy_meter_f32_parameters_size);
@@ -16704,7 +16704,7 @@ LYAPUNOV_API uint32_t lyapunov_energy_meter_f32_summary(const lyapunov_energy_me
 /* lyapunov_energy_meter_f64: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in sums
    that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f64_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f64_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64_parameters) == 4, lyapunov_energy_meter_f64_parameters_size);
@@ -16744,7 +16744,7 @@ LYAPUNOV_API uint32_t lyapunov_energy_meter_f64_summary(const lyapunov_energy_me
 /* lyapunov_energy_meter_f32x3: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in
    sums that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f32x3_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f32x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32x3_parameters) == 4, lyapunov_energy_meter_f32x3_parameters_size);
@@ -16784,7 +16784,7 @@ LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x3_summary(const lyapunov_energy_
 /* lyapunov_energy_meter_f64x3: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in
    sums that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f64x3_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f64x3_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64x3_parameters) == 4, lyapunov_energy_meter_f64x3_parameters_size);
@@ -16824,7 +16824,7 @@ LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x3_summary(const lyapunov_energy_
 /* lyapunov_energy_meter_f32x6: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in
    sums that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f32x6_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f32x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32x6_parameters) == 4, lyapunov_energy_meter_f32x6_parameters_size);
@@ -16864,7 +16864,7 @@ LYAPUNOV_API uint32_t lyapunov_energy_meter_f32x6_summary(const lyapunov_energy_
 /* lyapunov_energy_meter_f64x6: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in
    sums that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f64x6_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f64x6_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64x6_parameters) == 4, lyapunov_energy_meter_f64x6_parameters_size);
@@ -16904,7 +16904,7 @@ LYAPUNOV_API uint32_t lyapunov_energy_meter_f64x6_summary(const lyapunov_energy_
 /* lyapunov_energy_meter_f32screw: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in
    sums that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f32screw_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f32screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f32screw_parameters) == 4, lyapunov_energy_meter_f32screw_parameters_size);
@@ -16944,7 +16944,7 @@ LYAPUNOV_API uint32_t lyapunov_energy_meter_f32screw_summary(const lyapunov_ener
 /* lyapunov_energy_meter_f64screw: Run-time summary (EnergyMeter): energies and counts of all ticks so far, in
    sums that keep their digits for a year. */
 typedef struct lyapunov_energy_meter_f64screw_parameters {
-    /* Nothing to choose: 0. */
+    /* Nothing to choose: 0. It is not looked at, since that would be done on every tick. */
     uint32_t reserved;
 } lyapunov_energy_meter_f64screw_parameters;
 LYAPUNOV_ASSERT(sizeof(lyapunov_energy_meter_f64screw_parameters) == 4, lyapunov_energy_meter_f64screw_parameters_size);

@@ -27,7 +27,7 @@ blocks! {
         "force_bound";
         ForceBound<T>, whole 2 + 0;
         {
-            /// Damping that the device surely has, N.s/m.
+            /// Damping that the device surely has, N.s/m, at least 0.
             damping: T,
         };
         |given| ForceBound::new(given.damping);
@@ -38,7 +38,7 @@ blocks! {
         "force_bounding";
         ForceBounding<T>, whole 2 + 0;
         {
-            /// Damping that the device surely has, N.s/m.
+            /// Damping that the device surely has, N.s/m, at least 0.
             damping: T,
         };
         |given| ForceBounding::of_damping(given.damping);
@@ -51,9 +51,9 @@ blocks! {
         {
             /// Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not.
             start: T => floor,
-            /// The least energy, J.
+            /// The least energy, J, at least 0 and at most `ceiling`.
             floor: T,
-            /// The most energy, J; infinity: no limit.
+            /// The most energy, J, at least `floor`; infinity: no limit.
             ceiling: T,
             /// The most power that is drawn, W; infinity: no limit.
             power: T,
@@ -75,9 +75,9 @@ blocks! {
         {
             /// Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not.
             start: T => floor,
-            /// The least energy, J.
+            /// The least energy, J, at least 0 and at most `ceiling`.
             floor: T,
-            /// The most energy, J; infinity: no limit.
+            /// The most energy, J, at least `floor`; infinity: no limit.
             ceiling: T,
             /// The most power that is drawn, W; infinity: no limit.
             power: T,
@@ -94,9 +94,9 @@ blocks! {
         "energy_bounding";
         EnergyBounding<V>, whole 6 + 1;
         {
-            /// Damping that the device surely has, N.s/m.
+            /// Damping that the device surely has, N.s/m, above 0.
             damping: T,
-            /// The period, s.
+            /// The period, s, above 0.
             period: T,
             /// The delay of the force in ticks.
             late: u32,
@@ -130,7 +130,7 @@ blocks! {
         "slope_bound";
         SlopeBound<V>, words;
         {
-            /// The slope, N/m.
+            /// The slope, N/m, above 0.
             slope: T,
             /// The rate at which withheld force is let through, N/s; 0: none of it.
             creep: T,
@@ -145,7 +145,7 @@ blocks! {
         {
             /// Position of the wall's surface, m.
             surface: T,
-            /// The depth that the cells span, m.
+            /// The depth that the cells span, m, above 0.
             depth: T,
             /// The delay of the force in ticks.
             late: u32,
@@ -160,7 +160,7 @@ blocks! {
         {
             /// Position of the wall's surface, m.
             surface: T,
-            /// The depth that the cells span, m.
+            /// The depth that the cells span, m, above 0.
             depth: T,
         };
         |given| PathMemory::beyond(given.surface, given.depth);

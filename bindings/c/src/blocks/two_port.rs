@@ -23,7 +23,7 @@ blocks! {
         "drift_compensated";
         DriftCompensated<TwoPortSide<V>, V>, whole 7 + 2;
         {
-            /// Largest mobility, m/(N.s).
+            /// Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit.
             mobility_limit: T,
             /// The largest speed of compensation on each axis, m/s; infinity: no limit.
             speed: T,
