@@ -14014,7 +14014,10 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_path_memory_f64_rest
 LYAPUNOV_API uint32_t lyapunov_path_memory_f64_step(lyapunov_path_memory_f64 *storage, const lyapunov_sample_f64 *sample, double effort, lyapunov_correction_f64 *correction);
 
 /* lyapunov_two_port_side_f32: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
-   tick, and give `receive` what came. */
+   tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of
+   the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses,
+   `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit
+   mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f32_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
@@ -14065,7 +14068,10 @@ LYAPUNOV_API float lyapunov_two_port_side_f32_absorbed(const lyapunov_two_port_s
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32_receive(lyapunov_two_port_side_f32 *storage, float energy);
 
 /* lyapunov_two_port_side_f64: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
-   tick, and give `receive` what came. */
+   tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of
+   the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses,
+   `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit
+   mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f64_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
@@ -14116,7 +14122,10 @@ LYAPUNOV_API double lyapunov_two_port_side_f64_absorbed(const lyapunov_two_port_
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64_receive(lyapunov_two_port_side_f64 *storage, double energy);
 
 /* lyapunov_two_port_side_f32x3: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
-   tick, and give `receive` what came. */
+   tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of
+   the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses,
+   `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit
+   mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f32x3_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
@@ -14167,7 +14176,10 @@ LYAPUNOV_API float lyapunov_two_port_side_f32x3_absorbed(const lyapunov_two_port
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x3_receive(lyapunov_two_port_side_f32x3 *storage, float energy);
 
 /* lyapunov_two_port_side_f64x3: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
-   tick, and give `receive` what came. */
+   tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of
+   the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses,
+   `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit
+   mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f64x3_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
@@ -14218,7 +14230,10 @@ LYAPUNOV_API double lyapunov_two_port_side_f64x3_absorbed(const lyapunov_two_por
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x3_receive(lyapunov_two_port_side_f64x3 *storage, double energy);
 
 /* lyapunov_two_port_side_f32x6: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
-   tick, and give `receive` what came. */
+   tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of
+   the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses,
+   `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit
+   mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f32x6_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
@@ -14269,7 +14284,10 @@ LYAPUNOV_API float lyapunov_two_port_side_f32x6_absorbed(const lyapunov_two_port
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x6_receive(lyapunov_two_port_side_f32x6 *storage, float energy);
 
 /* lyapunov_two_port_side_f64x6: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
-   tick, and give `receive` what came. */
+   tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of
+   the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses,
+   `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit
+   mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f64x6_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
@@ -14320,7 +14338,10 @@ LYAPUNOV_API double lyapunov_two_port_side_f64x6_absorbed(const lyapunov_two_por
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x6_receive(lyapunov_two_port_side_f64x6 *storage, double energy);
 
 /* lyapunov_two_port_side_f32screw: Side of a two-port (TwoPortSide): send `absorbed` to the other side on
-   every tick, and give `receive` what came. */
+   every tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave,
+   `velocity` of the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of
+   the impulses, `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and
+   the limit mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f32screw_parameters {
     /* Largest damping, N.s/m. */
     float damping_limit;
@@ -14371,7 +14392,10 @@ LYAPUNOV_API float lyapunov_two_port_side_f32screw_absorbed(const lyapunov_two_p
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32screw_receive(lyapunov_two_port_side_f32screw *storage, float energy);
 
 /* lyapunov_two_port_side_f64screw: Side of a two-port (TwoPortSide): send `absorbed` to the other side on
-   every tick, and give `receive` what came. */
+   every tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave,
+   `velocity` of the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of
+   the impulses, `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and
+   the limit mobilities, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_two_port_side_f64screw_parameters {
     /* Largest damping, N.s/m. */
     double damping_limit;
@@ -14422,7 +14446,9 @@ LYAPUNOV_API double lyapunov_two_port_side_f64screw_absorbed(const lyapunov_two_
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64screw_receive(lyapunov_two_port_side_f64screw *storage, double energy);
 
 /* lyapunov_drift_compensated_f32: Side of a two-port with an admittance, which makes up for the drift of its
-   commanded motion (DriftCompensated). */
+   commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its
+   impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in
+   and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f32_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
@@ -14479,7 +14505,9 @@ LYAPUNOV_API float lyapunov_drift_compensated_f32_absorbed(const lyapunov_drift_
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32_receive(lyapunov_drift_compensated_f32 *storage, float energy);
 
 /* lyapunov_drift_compensated_f64: Side of a two-port with an admittance, which makes up for the drift of its
-   commanded motion (DriftCompensated). */
+   commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its
+   impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in
+   and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f64_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;
@@ -14536,7 +14564,9 @@ LYAPUNOV_API double lyapunov_drift_compensated_f64_absorbed(const lyapunov_drift
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64_receive(lyapunov_drift_compensated_f64 *storage, double energy);
 
 /* lyapunov_drift_compensated_f32x3: Side of a two-port with an admittance, which makes up for the drift of its
-   commanded motion (DriftCompensated). */
+   commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its
+   impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in
+   and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f32x3_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
@@ -14593,7 +14623,9 @@ LYAPUNOV_API float lyapunov_drift_compensated_f32x3_absorbed(const lyapunov_drif
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x3_receive(lyapunov_drift_compensated_f32x3 *storage, float energy);
 
 /* lyapunov_drift_compensated_f64x3: Side of a two-port with an admittance, which makes up for the drift of its
-   commanded motion (DriftCompensated). */
+   commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its
+   impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in
+   and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f64x3_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;
@@ -14650,7 +14682,9 @@ LYAPUNOV_API double lyapunov_drift_compensated_f64x3_absorbed(const lyapunov_dri
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x3_receive(lyapunov_drift_compensated_f64x3 *storage, double energy);
 
 /* lyapunov_drift_compensated_f32x6: Side of a two-port with an admittance, which makes up for the drift of its
-   commanded motion (DriftCompensated). */
+   commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its
+   impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in
+   and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f32x6_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
@@ -14707,7 +14741,9 @@ LYAPUNOV_API float lyapunov_drift_compensated_f32x6_absorbed(const lyapunov_drif
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x6_receive(lyapunov_drift_compensated_f32x6 *storage, float energy);
 
 /* lyapunov_drift_compensated_f64x6: Side of a two-port with an admittance, which makes up for the drift of its
-   commanded motion (DriftCompensated). */
+   commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its
+   impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in
+   and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f64x6_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;
@@ -14764,7 +14800,9 @@ LYAPUNOV_API double lyapunov_drift_compensated_f64x6_absorbed(const lyapunov_dri
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x6_receive(lyapunov_drift_compensated_f64x6 *storage, double energy);
 
 /* lyapunov_drift_compensated_f32screw: Side of a two-port with an admittance, which makes up for the drift of
-   its commanded motion (DriftCompensated). */
+   its commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement`
+   its impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s);
+   efforts in and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f32screw_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     float mobility_limit;
@@ -14821,7 +14859,9 @@ LYAPUNOV_API float lyapunov_drift_compensated_f32screw_absorbed(const lyapunov_d
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32screw_receive(lyapunov_drift_compensated_f32screw *storage, float energy);
 
 /* lyapunov_drift_compensated_f64screw: Side of a two-port with an admittance, which makes up for the drift of
-   its commanded motion (DriftCompensated). */
+   its commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement`
+   its impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s);
+   efforts in and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 typedef struct lyapunov_drift_compensated_f64screw_parameters {
     /* Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit. */
     double mobility_limit;

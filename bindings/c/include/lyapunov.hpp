@@ -2576,7 +2576,7 @@ public:
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
-/* Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came. */
+/* Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit mobilities, m/(N.s). README.md has it as a table. */
 template <class Signal> class TwoPortSide;
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32)
@@ -2667,7 +2667,7 @@ public:
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_receive(&storage, energy)); }
 };
 
-/* Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated). */
+/* Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 template <class Signal> class DriftCompensated;
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32)
