@@ -4,8 +4,8 @@
 // library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
 // View of them: an array, std::array, a signal, or an Eigen vector whose numbers lie one after another, as those of a row or
 // a diagonal do not: copy these into a vector. A method with a result has no code to tell: of a block that init has not seen,
-// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, and steps and
-// readings what `accepted` 0 says.
+// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, steps and readings what
+// `accepted` 0 says, and waves and energy tanks 0: as a command that is no effort and no motion.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #ifndef LYAPUNOV_HPP

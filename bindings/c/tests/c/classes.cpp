@@ -143,6 +143,9 @@ void never_initialised()
     expect(sound.restore(memory).code() == lyapunov::Code::Memory && sound == before, "a memory that restore refuses");
     expect(std::isnan(lyapunov::Observer<float>{}.observe({ 1e-3f, 0, 0.1f, 1e-4f, -2, -2e-4f })), "NaN of observe");
     expect(std::isnan(summary.least) && std::isnan(summary.absorbed) && summary.ticks == UINT64_MAX, "NaN of summary");
+    const auto wave = lyapunov::WaveTransform<double>{}.encode(0.5, 3.0);
+    const bool still = std::fabs(wave.flow) + std::fabs(wave.effort) + std::fabs(wave.there) + std::fabs(wave.back) <= 0.0;
+    expect(still && std::fabs(lyapunov::EnergyTank<double>{}.pass(1e-3, 1.0, 1.0, -1.0)) <= 0.0, "0 of waves and of a tank");
     expect(std::isnan(sound.observed_energy()) == false, "a number of what is initialised");
 }
 
