@@ -138,8 +138,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_f32screw, rotation) == 12, lyapunov_f32screw_r
 typedef struct lyapunov_f32pose {
     /* Position of the reference point, m. */
     float position[3];
-    /* Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0,
-       but a change of it by orders of magnitude costs digits. */
+    /* Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, but a change of it
+       by orders of magnitude costs digits. Of length 0 it is no orientation, and the reading is rejected. */
     float quaternion[4];
 } lyapunov_f32pose;
 LYAPUNOV_ASSERT(sizeof(lyapunov_f32pose) == 28, lyapunov_f32pose_size);
@@ -202,8 +202,8 @@ LYAPUNOV_ASSERT(offsetof(lyapunov_f64screw, rotation) == 24, lyapunov_f64screw_r
 typedef struct lyapunov_f64pose {
     /* Position of the reference point, m. */
     double position[3];
-    /* Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0,
-       but a change of it by orders of magnitude costs digits. */
+    /* Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, but a change of it
+       by orders of magnitude costs digits. Of length 0 it is no orientation, and the reading is rejected. */
     double quaternion[4];
 } lyapunov_f64pose;
 LYAPUNOV_ASSERT(sizeof(lyapunov_f64pose) == 56, lyapunov_f64pose_size);

@@ -146,6 +146,7 @@ template <class Function> void *address(Function &function) noexcept
     return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
 }
 
+// An exception does not cross C: one that leaves the candidate ends the program (std::terminate).
 template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
 {
     return (*static_cast<Function *>(function))(*sample);
