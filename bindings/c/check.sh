@@ -155,6 +155,13 @@ installs() { # where find_package and pkg-config find it
         $(PKG_CONFIG_PATH="$out/prefix/lib/pkgconfig" pkg-config --cflags --libs lyapunov)
     "$out/own_candidate" >/dev/null
     echo "find_package and pkg-config find it"
+    # The examples install nothing of their own, and so nothing at all.
+    rm -rf "$out/nothing"
+    cmake --install "$out/examples" --prefix "$out/nothing" >"$out/install.log"
+    if [ -e "$out/nothing" ]; then
+        echo "a project that has this folder by add_subdirectory installs the library's files as its own"
+        return 1
+    fi
 }
 
 bytes_are_equal() { # how many ticks
@@ -261,7 +268,9 @@ lints_and_tests() {
 lints=$!
 
 step "the library"
-archive "" staticlib,cdylib
+archive
+# For what it exports, and for what a step costs.
+archive "" cdylib
 cargo build --quiet --release -p lyapunov-equal --bins
 step "what it exports"
 exports_what_the_header_says
