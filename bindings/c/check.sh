@@ -66,26 +66,57 @@ compiles_without_a_warning() {
     done
 }
 
+tells_in_one_error_why_it_does_not_compile() { # flags, the error's beginning
+    local compiler
+    for compiler in g++ clang++; do
+        have $compiler || continue
+        # shellcheck disable=SC2086
+        if echo '#include <lyapunov.hpp>' | $compiler $1 -Iinclude -x c++ -fsyntax-only - 2>"$out/told.log" ||
+            ! grep -q "error: .*$2" "$out/told.log" || [ "$(grep -c 'error:' "$out/told.log")" != 1 ]; then
+            echo "$compiler $1 has not the one error '$2':"
+            cat "$out/told.log"
+            return 1
+        fi
+    done
+}
+
+warns_of_a_refusal_that_nobody_looks_at() {
+    local compiler init='lyapunov_popc_f32_init(storage, given);'
+    for compiler in gcc clang; do
+        have $compiler || continue
+        # Compiled to the end: gcc does not warn where it only looks at the syntax.
+        if echo "#include <lyapunov.h>
+            void ignores(lyapunov_popc_f32 *storage, const lyapunov_popc_f32_parameters *given) { $init }" |
+            $compiler -std=c99 -Werror=unused-result -Iinclude -x c -S -o /dev/null - 2>"$out/ignored.log"; then
+            echo "$compiler does not warn where the status of init is ignored"
+            return 1
+        fi
+        grep -q 'unused-result' "$out/ignored.log" || { cat "$out/ignored.log"; return 1; }
+    done
+}
+
 refused_to_compile() { # compiler, cases in the words of the classes' test, flags
     local compiler=$1 case
     for case in $2; do
-        if $compiler -std=c++17 -Iinclude "${@:3}" -DREFUSED="$case" -fsyntax-only tests/c/classes.cpp 2>"$out/refused.log"; then
-            echo "tests/c/classes.cpp compiles with REFUSED=$case, and numbers that are not the vector's are read"
+        if $compiler -std=c++17 -Werror=unused-result -Iinclude "${@:3}" -DREFUSED="$case" -fsyntax-only tests/c/classes.cpp 2>"$out/refused.log"; then
+            echo "tests/c/classes.cpp compiles with REFUSED=$case: numbers that are not the vector's are read, or a refusal is not looked at"
             return 1
         fi
-        grep -qE 'numbers one after another|numbers of a matrix have no order' "$out/refused.log" || { cat "$out/refused.log"; return 1; }
+        grep -qE 'numbers one after another|numbers of a matrix have no order|nodiscard' "$out/refused.log" || { cat "$out/refused.log"; return 1; }
     done
 }
 
 classes() { # what they take and answer, and what must not compile
-    local compiler eigen=(-DWITH_EIGEN -isystem /usr/include/eigen3)
+    local compiler standard eigen=(-DWITH_EIGEN -isystem /usr/include/eigen3)
     [ -d /usr/include/eigen3 ] || { skipped "classes with Eigen's vectors: Eigen is not here"; eigen=(); }
     for compiler in g++ clang++; do
         have $compiler || { skipped "classes with $compiler: it is not here"; continue; }
-        $compiler -std=c++17 -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude "${eigen[@]}" \
-            tests/c/classes.cpp "$library" -lm -o "$out/classes"
-        "$out/classes"
-        refused_to_compile $compiler "1 2 3"
+        for standard in c++17 c++20; do
+            $compiler -std=$standard -g "${warnings[@]}" -fsanitize=address,undefined -fno-sanitize-recover=all -Iinclude "${eigen[@]}" \
+                tests/c/classes.cpp "$library" -lm -o "$out/classes"
+            "$out/classes"
+        done
+        refused_to_compile $compiler "1 2 3 8"
         [ ${#eigen[@]} -eq 0 ] || refused_to_compile $compiler "4 5 6 7" "${eigen[@]}"
     done
 }
@@ -124,6 +155,13 @@ installs() { # where find_package and pkg-config find it
         $(PKG_CONFIG_PATH="$out/prefix/lib/pkgconfig" pkg-config --cflags --libs lyapunov)
     "$out/own_candidate" >/dev/null
     echo "find_package and pkg-config find it"
+    # The examples install nothing of their own, and so nothing at all.
+    rm -rf "$out/nothing"
+    cmake --install "$out/examples" --prefix "$out/nothing" >"$out/install.log"
+    if [ -e "$out/nothing" ]; then
+        echo "a project that has this folder by add_subdirectory installs the library's files as its own"
+        return 1
+    fi
 }
 
 bytes_are_equal() { # how many ticks
@@ -230,12 +268,18 @@ lints_and_tests() {
 lints=$!
 
 step "the library"
-archive "" staticlib,cdylib
+archive
+# For what it exports, and for what a step costs.
+archive "" cdylib
 cargo build --quiet --release -p lyapunov-equal --bins
 step "what it exports"
 exports_what_the_header_says
 step "no warning"
 compiles_without_a_warning
+warns_of_a_refusal_that_nobody_looks_at
+tells_in_one_error_why_it_does_not_compile -std=c++14 'lyapunov.hpp needs C++17'
+tells_in_one_error_why_it_does_not_compile '-std=c++17 -DStatus=int' 'a macro Status'
+tells_in_one_error_why_it_does_not_compile '-std=c++17 -Dread(a,b,c)=a' 'a macro read'
 library=target/release/liblyapunov_c.a
 step "examples by cmake"
 if have cmake; then

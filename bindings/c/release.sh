@@ -42,7 +42,7 @@ library() {
         flags=(-- -C target-cpu=cortex-m7)
     fi
     if [ "$(rustc -vV | sed -n 's/^host: //p')" = "$triple" ]; then
-        cargo rustc --quiet --release --features library --crate-type staticlib,cdylib || return 1
+        cargo rustc --quiet --release --features library --crate-type staticlib || return 1
         cp "$CARGO_TARGET_DIR/release/liblyapunov_c.a" "$2"
         return
     fi

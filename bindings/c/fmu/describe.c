@@ -61,17 +61,21 @@ static void variable(int at)
 #endif
 }
 
-static void outputs(const char *element)
+/* Variables are numbered from 0 in FMI 3.0, by their references, and from 1 in FMI 2.0, by their places. */
+enum { FIRST = FMI == 3 ? 0 : 1 };
+static const char *const number = FMI == 3 ? "valueReference" : "index";
+
+static void outputs(const char *element, int initial)
 {
     int at;
 
     for (at = 0; at < VARIABLE_COUNT; ++at) {
         if (variables[at].kind == OUTPUT || variables[at].kind == FLAG) {
-#if FMI == 3
-            printf("    <%s valueReference=\"%d\" dependencies=\"\"/>\n", element, at);
-#else
-            printf("      <%s index=\"%d\" dependencies=\"\"/>\n", element, at + 1);
-#endif
+            printf("    %s<%s %s=\"%d\" dependencies=\"", FMI == 3 ? "" : "  ", element, number, at + FIRST);
+            if (initial && at == VARIABLE_observed_energy) {
+                printf("%d", VARIABLE_budget + FIRST);
+            }
+            printf("\"/>\n");
         }
     }
 }
@@ -101,13 +105,13 @@ int main(void)
     }
     printf("  </ModelVariables>\n  <ModelStructure>\n");
 #if FMI == 3
-    outputs("Output");
-    outputs("InitialUnknown");
+    outputs("Output", 0);
+    outputs("InitialUnknown", 1);
 #else
     printf("    <Outputs>\n");
-    outputs("Unknown");
+    outputs("Unknown", 0);
     printf("    </Outputs>\n    <InitialUnknowns>\n");
-    outputs("Unknown");
+    outputs("Unknown", 1);
     printf("    </InitialUnknowns>\n");
 #endif
     printf("  </ModelStructure>\n</fmiModelDescription>\n");

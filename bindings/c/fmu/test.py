@@ -44,6 +44,7 @@ class Unit:
             self.slave.setupExperiment(startTime=0.0)
         self.slave.enterInitializationMode()
         self.set(**parameters)
+        self.at_first = self.get(*OUTPUTS)
         self.slave.exitInitializationMode()
 
     def instantiate(self):
@@ -123,6 +124,15 @@ def returns_to_a_state(path, block):
     assert first == [unit.tick(tick, ticks[tick]) for tick in range(100, 200)]
 
 
+def initial_values(path, block):
+    """What is answered before the initialization ends, and what it depends on."""
+    unit = Unit(path, own(block) | {"budget": 0.25})
+    assert unit.at_first == unit.get(*OUTPUTS) == [0.0, 0.25, 0.0, 0.0], unit.at_first
+    for unknown in read_model_description(str(path)).initialUnknowns:
+        expected = ["budget"] if unknown.variable.name == "observed_energy" else []
+        assert [it.name for it in unknown.dependencies] == expected, unknown.variable.name
+
+
 def refuses(path, block):
     told = []
     assert refused(lambda: Unit(path, own(block) | {"damping_limit": -1.0}, told)), "a damping limit below 0 was taken"
@@ -176,6 +186,7 @@ def main():
             assert not problems, f"{path}: {problems}"
             equals_rust(path, block, reference)
             returns_to_a_state(path, block)
+            initial_values(path, block)
             refuses(path, block)
             runs_by_itself(path, block)
             alone, stabilized = late_swing(path, block, False), late_swing(path, block, True)

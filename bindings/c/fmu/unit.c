@@ -24,6 +24,10 @@ int unit_get(const struct unit *unit, unsigned reference, int flag, double *valu
         snprintf(why, WHY, "value reference %u is no variable of this type; see modelDescription.xml", reference);
         return 0;
     }
+    /* Before the block is made it has what it will be made with. */
+    if (reference == VARIABLE_observed_energy && unit->begun == 0.0) {
+        reference = VARIABLE_budget;
+    }
     *value = unit->value[reference];
     return 1;
 }

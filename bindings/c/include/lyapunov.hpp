@@ -4,12 +4,21 @@
 // library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
 // View of them: an array, std::array, a signal, or an Eigen vector whose numbers lie one after another, as those of a row or
 // a diagonal do not: copy these into a vector. A method with a result has no code to tell: of a block that init has not seen,
-// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, and steps and
-// readings what `accepted` 0 says.
+// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, steps and readings what
+// `accepted` 0 says, and waves and energy tanks 0: as a command that is no effort and no motion.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #ifndef LYAPUNOV_HPP
 #define LYAPUNOV_HPP
+
+// Each ends here: what follows would only be thousands of errors more.
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#error "lyapunov.hpp needs C++17: compile with -std=c++17, or /std:c++17"
+#elif defined(Status)
+#error "a macro Status, as <X11/Xlib.h> defines it, renames a class here: include lyapunov.hpp before it, or #undef Status"
+#elif defined(read)
+#error "a macro read, as <lwip/sockets.h> defines it, replaces a method here: include lyapunov.hpp before it, or #undef read"
+#else
 
 #include <array>
 #include <cstddef>
@@ -18,6 +27,9 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#if __cplusplus > 201703L && __has_include(<span>)
+#include <span>
+#endif
 
 #include "lyapunov.h"
 
@@ -60,7 +72,7 @@ enum class Code : lyapunov_code {
 };
 
 // What became of a call that may be refused; true if it was done.
-class Status {
+class [[nodiscard]] Status {
 public:
     explicit Status(const lyapunov_status &status) noexcept : status_(status) {}
     explicit operator bool() const noexcept { return status_.code == LYAPUNOV_OK; }
@@ -82,6 +94,11 @@ template <class T, std::size_t N> class View {
 public:
     View(const T (&numbers)[N]) noexcept : numbers_(numbers) {}
     View(const std::array<T, N> &numbers) noexcept : numbers_(numbers.data()) {}
+#ifdef __cpp_lib_span
+    // Of a fixed number: of another one it would not be known whether there are as many.
+    template <class Same, class = std::enable_if_t<std::is_same<std::remove_const_t<Same>, T>::value>>
+    View(std::span<Same, N> numbers) noexcept : numbers_(numbers.data()) {}
+#endif
     View(const Axes<T, N> &axes) noexcept : numbers_(axes.axis) {}
     // A twist or wrench is three numbers of translation and three of rotation, one after another.
     template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>
@@ -129,6 +146,7 @@ template <class Function> void *address(Function &function) noexcept
     return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
 }
 
+// An exception does not cross C: one that leaves the candidate ends the program (std::terminate).
 template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
 {
     return (*static_cast<Function *>(function))(*sample);
@@ -227,16 +245,17 @@ template <class Storage> struct Calls;
         static auto restore(name *storage, const Memory *memory) { return name##_restore(storage, memory); }                     \
     };
 
-// What every block has, beside verbs of its own.
-template <class Storage> class Block {
+// What every block has, beside verbs of its own. A class of the user's that is derived from a block finds names of its bases before those
+// around it: hence long ones, and no alias.
+template <class Storage> class LyapunovBlock {
 public:
     using Parameters = typename Calls<Storage>::Parameters;
     using Memory = typename Calls<Storage>::Memory;
     /* Makes the block of parameters that fit together. */
     Status init(const Parameters &parameters) noexcept
     {
-        static_assert(sizeof(Block) == sizeof(Storage) && std::is_standard_layout<Block>::value &&
-                          std::is_trivially_copyable<Block>::value,
+        static_assert(sizeof(LyapunovBlock) == sizeof(Storage) && std::is_standard_layout<LyapunovBlock>::value &&
+                          std::is_trivially_copyable<LyapunovBlock>::value,
                       "a block is its storage");
         return Status(Calls<Storage>::init(&storage, &parameters));
     }
@@ -253,11 +272,11 @@ public:
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const Memory &memory) noexcept { return Status(Calls<Storage>::restore(&storage, &memory)); }
     /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Block &a, const Block &b) noexcept
+    friend bool operator==(const LyapunovBlock &a, const LyapunovBlock &b) noexcept
     {
         return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0;
     }
-    friend bool operator!=(const Block &a, const Block &b) noexcept { return !(a == b); }
+    friend bool operator!=(const LyapunovBlock &a, const LyapunovBlock &b) noexcept { return !(a == b); }
     Storage storage{};
 };
 
@@ -274,18 +293,25 @@ template <class Storage> struct AccountCalls;
     };
 
 // What a block with an account has, beside verbs of its own.
-template <class Storage> class Account : public Block<Storage> {
-    using Number = typename AccountCalls<Storage>::Number;
-
+template <class Storage> class LyapunovAccount : public LyapunovBlock<Storage> {
 public:
     /* The observed energy, J; NaN if the storage is not initialised. */
-    Number observed_energy() const noexcept { return AccountCalls<Storage>::observed_energy(&this->storage); }
+    typename AccountCalls<Storage>::Number observed_energy() const noexcept
+    {
+        return AccountCalls<Storage>::observed_energy(&this->storage);
+    }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
     Code reset() noexcept { return static_cast<Code>(AccountCalls<Storage>::reset(&this->storage)); }
     /* Adds as many joules of credit that were not absorbed. */
-    Status grant(Number energy) noexcept { return Status(AccountCalls<Storage>::grant(&this->storage, energy)); }
+    Status grant(typename AccountCalls<Storage>::Number energy) noexcept
+    {
+        return Status(AccountCalls<Storage>::grant(&this->storage, energy));
+    }
     /* Adds a debt of as many joules. */
-    Status owe(Number debt) noexcept { return Status(AccountCalls<Storage>::owe(&this->storage, debt)); }
+    Status owe(typename AccountCalls<Storage>::Number debt) noexcept
+    {
+        return Status(AccountCalls<Storage>::owe(&this->storage, debt));
+    }
 };
 
 } // namespace detail
@@ -304,7 +330,7 @@ template <class Form> auto eigen(const Form &axes) noexcept
 template <class Signal> class Readings;
 
 LYAPUNOV_BLOCK(lyapunov_readings_f32)
-template <> class Readings<float> : public detail::Block<lyapunov_readings_f32> {
+template <> class Readings<float> : public detail::LyapunovBlock<lyapunov_readings_f32> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_f32_read(&storage, position, applied, &checked); return checked; }
@@ -315,7 +341,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_f64)
-template <> class Readings<double> : public detail::Block<lyapunov_readings_f64> {
+template <> class Readings<double> : public detail::LyapunovBlock<lyapunov_readings_f64> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_f64_read(&storage, position, applied, &checked); return checked; }
@@ -326,7 +352,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_f32x3)
-template <> class Readings<Axes<float, 3>> : public detail::Block<lyapunov_readings_f32x3> {
+template <> class Readings<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_readings_f32x3> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -337,7 +363,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_f64x3)
-template <> class Readings<Axes<double, 3>> : public detail::Block<lyapunov_readings_f64x3> {
+template <> class Readings<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_readings_f64x3> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -348,7 +374,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_f32x6)
-template <> class Readings<Axes<float, 6>> : public detail::Block<lyapunov_readings_f32x6> {
+template <> class Readings<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_readings_f32x6> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -359,7 +385,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_f64x6)
-template <> class Readings<Axes<double, 6>> : public detail::Block<lyapunov_readings_f64x6> {
+template <> class Readings<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_readings_f64x6> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -370,7 +396,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_f32screw)
-template <> class Readings<Screw<float>> : public detail::Block<lyapunov_readings_f32screw> {
+template <> class Readings<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_f32screw> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32screw read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_f32screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -381,7 +407,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_f64screw)
-template <> class Readings<Screw<double>> : public detail::Block<lyapunov_readings_f64screw> {
+template <> class Readings<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_f64screw> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64screw read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_f64screw_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -395,7 +421,7 @@ public:
 template <class Signal> class ReadingsMeasured;
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f32)
-template <> class ReadingsMeasured<float> : public detail::Block<lyapunov_readings_measured_f32> {
+template <> class ReadingsMeasured<float> : public detail::LyapunovBlock<lyapunov_readings_measured_f32> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read_moving(float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_f32_read_moving(&storage, position, velocity, applied, &checked); return checked; }
@@ -406,7 +432,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f64)
-template <> class ReadingsMeasured<double> : public detail::Block<lyapunov_readings_measured_f64> {
+template <> class ReadingsMeasured<double> : public detail::LyapunovBlock<lyapunov_readings_measured_f64> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read_moving(double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_f64_read_moving(&storage, position, velocity, applied, &checked); return checked; }
@@ -417,7 +443,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f32x3)
-template <> class ReadingsMeasured<Axes<float, 3>> : public detail::Block<lyapunov_readings_measured_f32x3> {
+template <> class ReadingsMeasured<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_readings_measured_f32x3> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read_moving(View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_f32x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -428,7 +454,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f64x3)
-template <> class ReadingsMeasured<Axes<double, 3>> : public detail::Block<lyapunov_readings_measured_f64x3> {
+template <> class ReadingsMeasured<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_readings_measured_f64x3> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read_moving(View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_f64x3_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -439,7 +465,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f32x6)
-template <> class ReadingsMeasured<Axes<float, 6>> : public detail::Block<lyapunov_readings_measured_f32x6> {
+template <> class ReadingsMeasured<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_readings_measured_f32x6> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_f32x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -450,7 +476,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f64x6)
-template <> class ReadingsMeasured<Axes<double, 6>> : public detail::Block<lyapunov_readings_measured_f64x6> {
+template <> class ReadingsMeasured<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_readings_measured_f64x6> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_f64x6_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -461,7 +487,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f32screw)
-template <> class ReadingsMeasured<Screw<float>> : public detail::Block<lyapunov_readings_measured_f32screw> {
+template <> class ReadingsMeasured<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_measured_f32screw> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32screw read_moving(View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32screw>(position); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_measured_f32screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -472,7 +498,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_f64screw)
-template <> class ReadingsMeasured<Screw<double>> : public detail::Block<lyapunov_readings_measured_f64screw> {
+template <> class ReadingsMeasured<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_measured_f64screw> {
 public:
     /* The sample of this tick's reading: position and velocity now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64screw read_moving(View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64screw>(position); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_measured_f64screw_read_moving(&storage, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -486,7 +512,7 @@ public:
 template <class Signal> class ReadingsLowPassed;
 
 LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f32)
-template <> class ReadingsLowPassed<float> : public detail::Block<lyapunov_readings_low_passed_f32> {
+template <> class ReadingsLowPassed<float> : public detail::LyapunovBlock<lyapunov_readings_low_passed_f32> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_low_passed_f32_read(&storage, position, applied, &checked); return checked; }
@@ -497,7 +523,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f64)
-template <> class ReadingsLowPassed<double> : public detail::Block<lyapunov_readings_low_passed_f64> {
+template <> class ReadingsLowPassed<double> : public detail::LyapunovBlock<lyapunov_readings_low_passed_f64> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_low_passed_f64_read(&storage, position, applied, &checked); return checked; }
@@ -508,7 +534,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f32x3)
-template <> class ReadingsLowPassed<Axes<float, 3>> : public detail::Block<lyapunov_readings_low_passed_f32x3> {
+template <> class ReadingsLowPassed<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_readings_low_passed_f32x3> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_low_passed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -519,7 +545,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f64x3)
-template <> class ReadingsLowPassed<Axes<double, 3>> : public detail::Block<lyapunov_readings_low_passed_f64x3> {
+template <> class ReadingsLowPassed<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_readings_low_passed_f64x3> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_low_passed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -530,7 +556,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f32x6)
-template <> class ReadingsLowPassed<Axes<float, 6>> : public detail::Block<lyapunov_readings_low_passed_f32x6> {
+template <> class ReadingsLowPassed<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_readings_low_passed_f32x6> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_low_passed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -541,7 +567,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_low_passed_f64x6)
-template <> class ReadingsLowPassed<Axes<double, 6>> : public detail::Block<lyapunov_readings_low_passed_f64x6> {
+template <> class ReadingsLowPassed<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_readings_low_passed_f64x6> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_low_passed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -555,7 +581,7 @@ public:
 template <class Signal> class ReadingsWindowed;
 
 LYAPUNOV_BLOCK(lyapunov_readings_windowed_f32)
-template <> class ReadingsWindowed<float> : public detail::Block<lyapunov_readings_windowed_f32> {
+template <> class ReadingsWindowed<float> : public detail::LyapunovBlock<lyapunov_readings_windowed_f32> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32 read(float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_windowed_f32_read(&storage, position, applied, &checked); return checked; }
@@ -566,7 +592,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_windowed_f64)
-template <> class ReadingsWindowed<double> : public detail::Block<lyapunov_readings_windowed_f64> {
+template <> class ReadingsWindowed<double> : public detail::LyapunovBlock<lyapunov_readings_windowed_f64> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64 read(double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_windowed_f64_read(&storage, position, applied, &checked); return checked; }
@@ -577,7 +603,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_windowed_f32x3)
-template <> class ReadingsWindowed<Axes<float, 3>> : public detail::Block<lyapunov_readings_windowed_f32x3> {
+template <> class ReadingsWindowed<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_readings_windowed_f32x3> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x3 read(View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_windowed_f32x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -588,7 +614,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_windowed_f64x3)
-template <> class ReadingsWindowed<Axes<double, 3>> : public detail::Block<lyapunov_readings_windowed_f64x3> {
+template <> class ReadingsWindowed<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_readings_windowed_f64x3> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x3 read(View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_windowed_f64x3_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -599,7 +625,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_windowed_f32x6)
-template <> class ReadingsWindowed<Axes<float, 6>> : public detail::Block<lyapunov_readings_windowed_f32x6> {
+template <> class ReadingsWindowed<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_readings_windowed_f32x6> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f32x6 read(View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_windowed_f32x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -610,7 +636,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_windowed_f64x6)
-template <> class ReadingsWindowed<Axes<double, 6>> : public detail::Block<lyapunov_readings_windowed_f64x6> {
+template <> class ReadingsWindowed<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_readings_windowed_f64x6> {
 public:
     /* The sample of this tick's reading: the position now, and the effort that the motor applied since the last. */
     lyapunov_checked_sample_f64x6 read(View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_windowed_f64x6_read(&storage, &position_form, &applied_form, &checked); return checked; }
@@ -624,7 +650,7 @@ public:
 template <class Signal> class ReadingsClocked;
 
 LYAPUNOV_BLOCK(lyapunov_readings_clocked_f32)
-template <> class ReadingsClocked<float> : public detail::Block<lyapunov_readings_clocked_f32> {
+template <> class ReadingsClocked<float> : public detail::LyapunovBlock<lyapunov_readings_clocked_f32> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32 read_at(double now, float position, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_clocked_f32_read_at(&storage, now, position, applied, &checked); return checked; }
@@ -635,7 +661,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_clocked_f64)
-template <> class ReadingsClocked<double> : public detail::Block<lyapunov_readings_clocked_f64> {
+template <> class ReadingsClocked<double> : public detail::LyapunovBlock<lyapunov_readings_clocked_f64> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64 read_at(double now, double position, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_clocked_f64_read_at(&storage, now, position, applied, &checked); return checked; }
@@ -646,7 +672,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_clocked_f32x3)
-template <> class ReadingsClocked<Axes<float, 3>> : public detail::Block<lyapunov_readings_clocked_f32x3> {
+template <> class ReadingsClocked<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_readings_clocked_f32x3> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x3 read_at(double now, View<float, 3> position, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_clocked_f32x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
@@ -657,7 +683,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_clocked_f64x3)
-template <> class ReadingsClocked<Axes<double, 3>> : public detail::Block<lyapunov_readings_clocked_f64x3> {
+template <> class ReadingsClocked<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_readings_clocked_f64x3> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x3 read_at(double now, View<double, 3> position, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_clocked_f64x3_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
@@ -668,7 +694,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_clocked_f32x6)
-template <> class ReadingsClocked<Axes<float, 6>> : public detail::Block<lyapunov_readings_clocked_f32x6> {
+template <> class ReadingsClocked<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_readings_clocked_f32x6> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x6 read_at(double now, View<float, 6> position, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_clocked_f32x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
@@ -679,7 +705,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_clocked_f64x6)
-template <> class ReadingsClocked<Axes<double, 6>> : public detail::Block<lyapunov_readings_clocked_f64x6> {
+template <> class ReadingsClocked<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_readings_clocked_f64x6> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x6 read_at(double now, View<double, 6> position, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_clocked_f64x6_read_at(&storage, now, &position_form, &applied_form, &checked); return checked; }
@@ -693,7 +719,7 @@ public:
 template <class Signal> class ReadingsMeasuredClocked;
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f32)
-template <> class ReadingsMeasuredClocked<float> : public detail::Block<lyapunov_readings_measured_clocked_f32> {
+template <> class ReadingsMeasuredClocked<float> : public detail::LyapunovBlock<lyapunov_readings_measured_clocked_f32> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32 read_moving_at(double now, float position, float velocity, float applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f32>(); lyapunov_readings_measured_clocked_f32_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
@@ -704,7 +730,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f64)
-template <> class ReadingsMeasuredClocked<double> : public detail::Block<lyapunov_readings_measured_clocked_f64> {
+template <> class ReadingsMeasuredClocked<double> : public detail::LyapunovBlock<lyapunov_readings_measured_clocked_f64> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64 read_moving_at(double now, double position, double velocity, double applied) noexcept { auto checked = detail::unanswered<lyapunov_checked_sample_f64>(); lyapunov_readings_measured_clocked_f64_read_moving_at(&storage, now, position, velocity, applied, &checked); return checked; }
@@ -715,7 +741,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f32x3)
-template <> class ReadingsMeasuredClocked<Axes<float, 3>> : public detail::Block<lyapunov_readings_measured_clocked_f32x3> {
+template <> class ReadingsMeasuredClocked<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_readings_measured_clocked_f32x3> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x3 read_moving_at(double now, View<float, 3> position, View<float, 3> velocity, View<float, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x3>(position); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); const auto applied_form = detail::form<lyapunov_f32x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x3>(); lyapunov_readings_measured_clocked_f32x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -726,7 +752,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f64x3)
-template <> class ReadingsMeasuredClocked<Axes<double, 3>> : public detail::Block<lyapunov_readings_measured_clocked_f64x3> {
+template <> class ReadingsMeasuredClocked<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_readings_measured_clocked_f64x3> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x3 read_moving_at(double now, View<double, 3> position, View<double, 3> velocity, View<double, 3> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x3>(position); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); const auto applied_form = detail::form<lyapunov_f64x3>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x3>(); lyapunov_readings_measured_clocked_f64x3_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -737,7 +763,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f32x6)
-template <> class ReadingsMeasuredClocked<Axes<float, 6>> : public detail::Block<lyapunov_readings_measured_clocked_f32x6> {
+template <> class ReadingsMeasuredClocked<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_readings_measured_clocked_f32x6> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32x6 read_moving_at(double now, View<float, 6> position, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f32x6>(position); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); const auto applied_form = detail::form<lyapunov_f32x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32x6>(); lyapunov_readings_measured_clocked_f32x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -748,7 +774,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_measured_clocked_f64x6)
-template <> class ReadingsMeasuredClocked<Axes<double, 6>> : public detail::Block<lyapunov_readings_measured_clocked_f64x6> {
+template <> class ReadingsMeasuredClocked<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_readings_measured_clocked_f64x6> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64x6 read_moving_at(double now, View<double, 6> position, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto position_form = detail::form<lyapunov_f64x6>(position); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); const auto applied_form = detail::form<lyapunov_f64x6>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64x6>(); lyapunov_readings_measured_clocked_f64x6_read_moving_at(&storage, now, &position_form, &velocity_form, &applied_form, &checked); return checked; }
@@ -762,7 +788,7 @@ public:
 template <class Signal> class ReadingsOfPoses;
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_f32screw)
-template <> class ReadingsOfPoses<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_f32screw> {
+template <> class ReadingsOfPoses<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_f32screw> {
 public:
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
@@ -773,7 +799,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_f64screw)
-template <> class ReadingsOfPoses<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_f64screw> {
+template <> class ReadingsOfPoses<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_f64screw> {
 public:
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
@@ -787,7 +813,7 @@ public:
 template <class Signal> class ReadingsOfPosesMeasured;
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_f32screw)
-template <> class ReadingsOfPosesMeasured<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_measured_f32screw> {
+template <> class ReadingsOfPosesMeasured<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_measured_f32screw> {
 public:
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read_moving(const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_f32screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
@@ -798,7 +824,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_f64screw)
-template <> class ReadingsOfPosesMeasured<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_measured_f64screw> {
+template <> class ReadingsOfPosesMeasured<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_measured_f64screw> {
 public:
     /* The sample of this tick's reading: pose and twist now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read_moving(const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_f64screw_read_moving(&storage, &pose, &velocity_form, &applied_form, &checked); return checked; }
@@ -812,7 +838,7 @@ public:
 template <class Signal> class ReadingsOfPosesLowPassed;
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_low_passed_f32screw)
-template <> class ReadingsOfPosesLowPassed<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_low_passed_f32screw> {
+template <> class ReadingsOfPosesLowPassed<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_low_passed_f32screw> {
 public:
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_low_passed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
@@ -823,7 +849,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_low_passed_f64screw)
-template <> class ReadingsOfPosesLowPassed<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_low_passed_f64screw> {
+template <> class ReadingsOfPosesLowPassed<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_low_passed_f64screw> {
 public:
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_low_passed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
@@ -837,7 +863,7 @@ public:
 template <class Signal> class ReadingsOfPosesWindowed;
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_windowed_f32screw)
-template <> class ReadingsOfPosesWindowed<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_windowed_f32screw> {
+template <> class ReadingsOfPosesWindowed<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_windowed_f32screw> {
 public:
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f32screw read(const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_windowed_f32screw_read(&storage, &pose, &applied_form, &checked); return checked; }
@@ -848,7 +874,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_windowed_f64screw)
-template <> class ReadingsOfPosesWindowed<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_windowed_f64screw> {
+template <> class ReadingsOfPosesWindowed<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_windowed_f64screw> {
 public:
     /* The sample of this tick's reading: the pose now, and the wrench that the motors applied since the last. */
     lyapunov_checked_sample_f64screw read(const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_windowed_f64screw_read(&storage, &pose, &applied_form, &checked); return checked; }
@@ -862,7 +888,7 @@ public:
 template <class Signal> class ReadingsOfPosesClocked;
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_clocked_f32screw)
-template <> class ReadingsOfPosesClocked<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_clocked_f32screw> {
+template <> class ReadingsOfPosesClocked<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_clocked_f32screw> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32screw read_at(double now, const lyapunov_f32pose &pose, View<float, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_clocked_f32screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
@@ -873,7 +899,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_clocked_f64screw)
-template <> class ReadingsOfPosesClocked<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_clocked_f64screw> {
+template <> class ReadingsOfPosesClocked<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_clocked_f64screw> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64screw read_at(double now, const lyapunov_f64pose &pose, View<double, 6> applied) noexcept { const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_clocked_f64screw_read_at(&storage, now, &pose, &applied_form, &checked); return checked; }
@@ -887,7 +913,7 @@ public:
 template <class Signal> class ReadingsOfPosesMeasuredClocked;
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_clocked_f32screw)
-template <> class ReadingsOfPosesMeasuredClocked<Screw<float>> : public detail::Block<lyapunov_readings_of_poses_measured_clocked_f32screw> {
+template <> class ReadingsOfPosesMeasuredClocked<Screw<float>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_measured_clocked_f32screw> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f32screw read_moving_at(double now, const lyapunov_f32pose &pose, View<float, 6> velocity, View<float, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); const auto applied_form = detail::form<lyapunov_f32screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f32screw>(); lyapunov_readings_of_poses_measured_clocked_f32screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
@@ -898,7 +924,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_readings_of_poses_measured_clocked_f64screw)
-template <> class ReadingsOfPosesMeasuredClocked<Screw<double>> : public detail::Block<lyapunov_readings_of_poses_measured_clocked_f64screw> {
+template <> class ReadingsOfPosesMeasuredClocked<Screw<double>> : public detail::LyapunovBlock<lyapunov_readings_of_poses_measured_clocked_f64screw> {
 public:
     /* The sample of the reading at the time `now`, s from any start. */
     lyapunov_checked_sample_f64screw read_moving_at(double now, const lyapunov_f64pose &pose, View<double, 6> velocity, View<double, 6> applied) noexcept { const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); const auto applied_form = detail::form<lyapunov_f64screw>(applied); auto checked = detail::unanswered<lyapunov_checked_sample_f64screw>(); lyapunov_readings_of_poses_measured_clocked_f64screw_read_moving_at(&storage, now, &pose, &velocity_form, &applied_form, &checked); return checked; }
@@ -912,56 +938,56 @@ public:
 template <class Signal> class Popc;
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f32)
-template <> class Popc<float> : public detail::Account<lyapunov_popc_f32> {
+template <> class Popc<float> : public detail::LyapunovAccount<lyapunov_popc_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_popc_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f64)
-template <> class Popc<double> : public detail::Account<lyapunov_popc_f64> {
+template <> class Popc<double> : public detail::LyapunovAccount<lyapunov_popc_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_popc_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f32x3)
-template <> class Popc<Axes<float, 3>> : public detail::Account<lyapunov_popc_f32x3> {
+template <> class Popc<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_popc_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_popc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f64x3)
-template <> class Popc<Axes<double, 3>> : public detail::Account<lyapunov_popc_f64x3> {
+template <> class Popc<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_popc_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_popc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f32x6)
-template <> class Popc<Axes<float, 6>> : public detail::Account<lyapunov_popc_f32x6> {
+template <> class Popc<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_popc_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_popc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f64x6)
-template <> class Popc<Axes<double, 6>> : public detail::Account<lyapunov_popc_f64x6> {
+template <> class Popc<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_popc_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_popc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f32screw)
-template <> class Popc<Screw<float>> : public detail::Account<lyapunov_popc_f32screw> {
+template <> class Popc<Screw<float>> : public detail::LyapunovAccount<lyapunov_popc_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_popc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_popc_f64screw)
-template <> class Popc<Screw<double>> : public detail::Account<lyapunov_popc_f64screw> {
+template <> class Popc<Screw<double>> : public detail::LyapunovAccount<lyapunov_popc_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_popc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -971,56 +997,56 @@ public:
 template <class Signal> class Lolc;
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f32)
-template <> class Lolc<float> : public detail::Account<lyapunov_lolc_f32> {
+template <> class Lolc<float> : public detail::LyapunovAccount<lyapunov_lolc_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f64)
-template <> class Lolc<double> : public detail::Account<lyapunov_lolc_f64> {
+template <> class Lolc<double> : public detail::LyapunovAccount<lyapunov_lolc_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f32x3)
-template <> class Lolc<Axes<float, 3>> : public detail::Account<lyapunov_lolc_f32x3> {
+template <> class Lolc<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_lolc_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f64x3)
-template <> class Lolc<Axes<double, 3>> : public detail::Account<lyapunov_lolc_f64x3> {
+template <> class Lolc<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_lolc_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f32x6)
-template <> class Lolc<Axes<float, 6>> : public detail::Account<lyapunov_lolc_f32x6> {
+template <> class Lolc<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_lolc_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f64x6)
-template <> class Lolc<Axes<double, 6>> : public detail::Account<lyapunov_lolc_f64x6> {
+template <> class Lolc<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_lolc_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f32screw)
-template <> class Lolc<Screw<float>> : public detail::Account<lyapunov_lolc_f32screw> {
+template <> class Lolc<Screw<float>> : public detail::LyapunovAccount<lyapunov_lolc_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_f64screw)
-template <> class Lolc<Screw<double>> : public detail::Account<lyapunov_lolc_f64screw> {
+template <> class Lolc<Screw<double>> : public detail::LyapunovAccount<lyapunov_lolc_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1030,7 +1056,7 @@ public:
 template <class Signal> class LolcCustom;
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32)
-template <> class LolcCustom<float> : public detail::Account<lyapunov_lolc_custom_f32> {
+template <> class LolcCustom<float> : public detail::LyapunovAccount<lyapunov_lolc_custom_f32> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1038,7 +1064,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64)
-template <> class LolcCustom<double> : public detail::Account<lyapunov_lolc_custom_f64> {
+template <> class LolcCustom<double> : public detail::LyapunovAccount<lyapunov_lolc_custom_f64> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1046,7 +1072,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32x3)
-template <> class LolcCustom<Axes<float, 3>> : public detail::Account<lyapunov_lolc_custom_f32x3> {
+template <> class LolcCustom<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_lolc_custom_f32x3> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1054,7 +1080,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64x3)
-template <> class LolcCustom<Axes<double, 3>> : public detail::Account<lyapunov_lolc_custom_f64x3> {
+template <> class LolcCustom<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_lolc_custom_f64x3> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1062,7 +1088,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32x6)
-template <> class LolcCustom<Axes<float, 6>> : public detail::Account<lyapunov_lolc_custom_f32x6> {
+template <> class LolcCustom<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_lolc_custom_f32x6> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1070,7 +1096,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64x6)
-template <> class LolcCustom<Axes<double, 6>> : public detail::Account<lyapunov_lolc_custom_f64x6> {
+template <> class LolcCustom<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_lolc_custom_f64x6> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1078,7 +1104,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f32screw)
-template <> class LolcCustom<Screw<float>> : public detail::Account<lyapunov_lolc_custom_f32screw> {
+template <> class LolcCustom<Screw<float>> : public detail::LyapunovAccount<lyapunov_lolc_custom_f32screw> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1086,7 +1112,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_custom_f64screw)
-template <> class LolcCustom<Screw<double>> : public detail::Account<lyapunov_lolc_custom_f64screw> {
+template <> class LolcCustom<Screw<double>> : public detail::LyapunovAccount<lyapunov_lolc_custom_f64screw> {
 public:
     /* One tick. `candidate` is called once, with `context` and the sample, and gives the decrease over it, J; it must not touch this storage. A value that is not finite rejects the sample. */
     template <class Function>
@@ -1097,7 +1123,7 @@ public:
 template <class Signal> class LolcStorage;
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32)
-template <> class LolcStorage<float> : public detail::Account<lyapunov_lolc_storage_f32> {
+template <> class LolcStorage<float> : public detail::LyapunovAccount<lyapunov_lolc_storage_f32> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1105,7 +1131,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64)
-template <> class LolcStorage<double> : public detail::Account<lyapunov_lolc_storage_f64> {
+template <> class LolcStorage<double> : public detail::LyapunovAccount<lyapunov_lolc_storage_f64> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1113,7 +1139,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32x3)
-template <> class LolcStorage<Axes<float, 3>> : public detail::Account<lyapunov_lolc_storage_f32x3> {
+template <> class LolcStorage<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_lolc_storage_f32x3> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1121,7 +1147,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64x3)
-template <> class LolcStorage<Axes<double, 3>> : public detail::Account<lyapunov_lolc_storage_f64x3> {
+template <> class LolcStorage<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_lolc_storage_f64x3> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1129,7 +1155,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32x6)
-template <> class LolcStorage<Axes<float, 6>> : public detail::Account<lyapunov_lolc_storage_f32x6> {
+template <> class LolcStorage<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_lolc_storage_f32x6> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1137,7 +1163,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64x6)
-template <> class LolcStorage<Axes<double, 6>> : public detail::Account<lyapunov_lolc_storage_f64x6> {
+template <> class LolcStorage<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_lolc_storage_f64x6> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1145,7 +1171,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f32screw)
-template <> class LolcStorage<Screw<float>> : public detail::Account<lyapunov_lolc_storage_f32screw> {
+template <> class LolcStorage<Screw<float>> : public detail::LyapunovAccount<lyapunov_lolc_storage_f32screw> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1153,7 +1179,7 @@ public:
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_storage_f64screw)
-template <> class LolcStorage<Screw<double>> : public detail::Account<lyapunov_lolc_storage_f64screw> {
+template <> class LolcStorage<Screw<double>> : public detail::LyapunovAccount<lyapunov_lolc_storage_f64screw> {
 public:
     /* One tick. `energy` is called once, with `context` and the sample, and gives V there, J; it must not touch this storage. */
     template <class Function>
@@ -1164,14 +1190,14 @@ public:
 template <class Signal> class LolcInContact;
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_in_contact_f32)
-template <> class LolcInContact<float> : public detail::Account<lyapunov_lolc_in_contact_f32> {
+template <> class LolcInContact<float> : public detail::LyapunovAccount<lyapunov_lolc_in_contact_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_in_contact_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_in_contact_f64)
-template <> class LolcInContact<double> : public detail::Account<lyapunov_lolc_in_contact_f64> {
+template <> class LolcInContact<double> : public detail::LyapunovAccount<lyapunov_lolc_in_contact_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_in_contact_f64_step(&storage, &sample, effort, &correction); return correction; }
@@ -1181,56 +1207,56 @@ public:
 template <class Signal> class LolcSampled;
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32)
-template <> class LolcSampled<float> : public detail::Account<lyapunov_lolc_sampled_f32> {
+template <> class LolcSampled<float> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_sampled_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64)
-template <> class LolcSampled<double> : public detail::Account<lyapunov_lolc_sampled_f64> {
+template <> class LolcSampled<double> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_sampled_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32x3)
-template <> class LolcSampled<Axes<float, 3>> : public detail::Account<lyapunov_lolc_sampled_f32x3> {
+template <> class LolcSampled<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_sampled_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64x3)
-template <> class LolcSampled<Axes<double, 3>> : public detail::Account<lyapunov_lolc_sampled_f64x3> {
+template <> class LolcSampled<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_sampled_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32x6)
-template <> class LolcSampled<Axes<float, 6>> : public detail::Account<lyapunov_lolc_sampled_f32x6> {
+template <> class LolcSampled<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_sampled_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64x6)
-template <> class LolcSampled<Axes<double, 6>> : public detail::Account<lyapunov_lolc_sampled_f64x6> {
+template <> class LolcSampled<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_sampled_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f32screw)
-template <> class LolcSampled<Screw<float>> : public detail::Account<lyapunov_lolc_sampled_f32screw> {
+template <> class LolcSampled<Screw<float>> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_sampled_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_sampled_f64screw)
-template <> class LolcSampled<Screw<double>> : public detail::Account<lyapunov_lolc_sampled_f64screw> {
+template <> class LolcSampled<Screw<double>> : public detail::LyapunovAccount<lyapunov_lolc_sampled_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_sampled_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1240,56 +1266,56 @@ public:
 template <class Signal> class LolcCompensated;
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32)
-template <> class LolcCompensated<float> : public detail::Account<lyapunov_lolc_compensated_f32> {
+template <> class LolcCompensated<float> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_lolc_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64)
-template <> class LolcCompensated<double> : public detail::Account<lyapunov_lolc_compensated_f64> {
+template <> class LolcCompensated<double> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_lolc_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32x3)
-template <> class LolcCompensated<Axes<float, 3>> : public detail::Account<lyapunov_lolc_compensated_f32x3> {
+template <> class LolcCompensated<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_lolc_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64x3)
-template <> class LolcCompensated<Axes<double, 3>> : public detail::Account<lyapunov_lolc_compensated_f64x3> {
+template <> class LolcCompensated<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_lolc_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32x6)
-template <> class LolcCompensated<Axes<float, 6>> : public detail::Account<lyapunov_lolc_compensated_f32x6> {
+template <> class LolcCompensated<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_lolc_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64x6)
-template <> class LolcCompensated<Axes<double, 6>> : public detail::Account<lyapunov_lolc_compensated_f64x6> {
+template <> class LolcCompensated<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_lolc_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f32screw)
-template <> class LolcCompensated<Screw<float>> : public detail::Account<lyapunov_lolc_compensated_f32screw> {
+template <> class LolcCompensated<Screw<float>> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_lolc_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_lolc_compensated_f64screw)
-template <> class LolcCompensated<Screw<double>> : public detail::Account<lyapunov_lolc_compensated_f64screw> {
+template <> class LolcCompensated<Screw<double>> : public detail::LyapunovAccount<lyapunov_lolc_compensated_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_lolc_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1299,56 +1325,56 @@ public:
 template <class Signal> class BoundedCredit;
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32)
-template <> class BoundedCredit<float> : public detail::Account<lyapunov_bounded_credit_f32> {
+template <> class BoundedCredit<float> : public detail::LyapunovAccount<lyapunov_bounded_credit_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_bounded_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64)
-template <> class BoundedCredit<double> : public detail::Account<lyapunov_bounded_credit_f64> {
+template <> class BoundedCredit<double> : public detail::LyapunovAccount<lyapunov_bounded_credit_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_bounded_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32x3)
-template <> class BoundedCredit<Axes<float, 3>> : public detail::Account<lyapunov_bounded_credit_f32x3> {
+template <> class BoundedCredit<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_bounded_credit_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_bounded_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64x3)
-template <> class BoundedCredit<Axes<double, 3>> : public detail::Account<lyapunov_bounded_credit_f64x3> {
+template <> class BoundedCredit<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_bounded_credit_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_bounded_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32x6)
-template <> class BoundedCredit<Axes<float, 6>> : public detail::Account<lyapunov_bounded_credit_f32x6> {
+template <> class BoundedCredit<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_bounded_credit_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_bounded_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64x6)
-template <> class BoundedCredit<Axes<double, 6>> : public detail::Account<lyapunov_bounded_credit_f64x6> {
+template <> class BoundedCredit<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_bounded_credit_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_bounded_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f32screw)
-template <> class BoundedCredit<Screw<float>> : public detail::Account<lyapunov_bounded_credit_f32screw> {
+template <> class BoundedCredit<Screw<float>> : public detail::LyapunovAccount<lyapunov_bounded_credit_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_bounded_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_bounded_credit_f64screw)
-template <> class BoundedCredit<Screw<double>> : public detail::Account<lyapunov_bounded_credit_f64screw> {
+template <> class BoundedCredit<Screw<double>> : public detail::LyapunovAccount<lyapunov_bounded_credit_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_bounded_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1358,56 +1384,56 @@ public:
 template <class Signal> class WindowedCredit;
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32)
-template <> class WindowedCredit<float> : public detail::Account<lyapunov_windowed_credit_f32> {
+template <> class WindowedCredit<float> : public detail::LyapunovAccount<lyapunov_windowed_credit_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_windowed_credit_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64)
-template <> class WindowedCredit<double> : public detail::Account<lyapunov_windowed_credit_f64> {
+template <> class WindowedCredit<double> : public detail::LyapunovAccount<lyapunov_windowed_credit_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_windowed_credit_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32x3)
-template <> class WindowedCredit<Axes<float, 3>> : public detail::Account<lyapunov_windowed_credit_f32x3> {
+template <> class WindowedCredit<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_windowed_credit_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_windowed_credit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64x3)
-template <> class WindowedCredit<Axes<double, 3>> : public detail::Account<lyapunov_windowed_credit_f64x3> {
+template <> class WindowedCredit<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_windowed_credit_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_windowed_credit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32x6)
-template <> class WindowedCredit<Axes<float, 6>> : public detail::Account<lyapunov_windowed_credit_f32x6> {
+template <> class WindowedCredit<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_windowed_credit_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_windowed_credit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64x6)
-template <> class WindowedCredit<Axes<double, 6>> : public detail::Account<lyapunov_windowed_credit_f64x6> {
+template <> class WindowedCredit<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_windowed_credit_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_windowed_credit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f32screw)
-template <> class WindowedCredit<Screw<float>> : public detail::Account<lyapunov_windowed_credit_f32screw> {
+template <> class WindowedCredit<Screw<float>> : public detail::LyapunovAccount<lyapunov_windowed_credit_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_windowed_credit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_windowed_credit_f64screw)
-template <> class WindowedCredit<Screw<double>> : public detail::Account<lyapunov_windowed_credit_f64screw> {
+template <> class WindowedCredit<Screw<double>> : public detail::LyapunovAccount<lyapunov_windowed_credit_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_windowed_credit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1417,14 +1443,14 @@ public:
 template <class Signal> class ContactReset;
 
 LYAPUNOV_ACCOUNT(lyapunov_contact_reset_f32)
-template <> class ContactReset<float> : public detail::Account<lyapunov_contact_reset_f32> {
+template <> class ContactReset<float> : public detail::LyapunovAccount<lyapunov_contact_reset_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_contact_reset_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_contact_reset_f64)
-template <> class ContactReset<double> : public detail::Account<lyapunov_contact_reset_f64> {
+template <> class ContactReset<double> : public detail::LyapunovAccount<lyapunov_contact_reset_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_contact_reset_f64_step(&storage, &sample, effort, &correction); return correction; }
@@ -1434,56 +1460,56 @@ public:
 template <class Signal> class VelocityThreshold;
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32)
-template <> class VelocityThreshold<float> : public detail::Account<lyapunov_velocity_threshold_f32> {
+template <> class VelocityThreshold<float> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_velocity_threshold_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64)
-template <> class VelocityThreshold<double> : public detail::Account<lyapunov_velocity_threshold_f64> {
+template <> class VelocityThreshold<double> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_velocity_threshold_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32x3)
-template <> class VelocityThreshold<Axes<float, 3>> : public detail::Account<lyapunov_velocity_threshold_f32x3> {
+template <> class VelocityThreshold<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_velocity_threshold_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64x3)
-template <> class VelocityThreshold<Axes<double, 3>> : public detail::Account<lyapunov_velocity_threshold_f64x3> {
+template <> class VelocityThreshold<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_velocity_threshold_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32x6)
-template <> class VelocityThreshold<Axes<float, 6>> : public detail::Account<lyapunov_velocity_threshold_f32x6> {
+template <> class VelocityThreshold<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_velocity_threshold_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64x6)
-template <> class VelocityThreshold<Axes<double, 6>> : public detail::Account<lyapunov_velocity_threshold_f64x6> {
+template <> class VelocityThreshold<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_velocity_threshold_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f32screw)
-template <> class VelocityThreshold<Screw<float>> : public detail::Account<lyapunov_velocity_threshold_f32screw> {
+template <> class VelocityThreshold<Screw<float>> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_velocity_threshold_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_velocity_threshold_f64screw)
-template <> class VelocityThreshold<Screw<double>> : public detail::Account<lyapunov_velocity_threshold_f64screw> {
+template <> class VelocityThreshold<Screw<double>> : public detail::LyapunovAccount<lyapunov_velocity_threshold_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_velocity_threshold_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1493,56 +1519,56 @@ public:
 template <class Signal> class Spread;
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f32)
-template <> class Spread<float> : public detail::Account<lyapunov_spread_f32> {
+template <> class Spread<float> : public detail::LyapunovAccount<lyapunov_spread_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_spread_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f64)
-template <> class Spread<double> : public detail::Account<lyapunov_spread_f64> {
+template <> class Spread<double> : public detail::LyapunovAccount<lyapunov_spread_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_spread_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f32x3)
-template <> class Spread<Axes<float, 3>> : public detail::Account<lyapunov_spread_f32x3> {
+template <> class Spread<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_spread_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_spread_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f64x3)
-template <> class Spread<Axes<double, 3>> : public detail::Account<lyapunov_spread_f64x3> {
+template <> class Spread<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_spread_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_spread_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f32x6)
-template <> class Spread<Axes<float, 6>> : public detail::Account<lyapunov_spread_f32x6> {
+template <> class Spread<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_spread_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_spread_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f64x6)
-template <> class Spread<Axes<double, 6>> : public detail::Account<lyapunov_spread_f64x6> {
+template <> class Spread<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_spread_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_spread_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f32screw)
-template <> class Spread<Screw<float>> : public detail::Account<lyapunov_spread_f32screw> {
+template <> class Spread<Screw<float>> : public detail::LyapunovAccount<lyapunov_spread_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_spread_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_spread_f64screw)
-template <> class Spread<Screw<double>> : public detail::Account<lyapunov_spread_f64screw> {
+template <> class Spread<Screw<double>> : public detail::LyapunovAccount<lyapunov_spread_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_spread_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1552,56 +1578,56 @@ public:
 template <class Signal> class SoftStart;
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32)
-template <> class SoftStart<float> : public detail::Account<lyapunov_soft_start_f32> {
+template <> class SoftStart<float> : public detail::LyapunovAccount<lyapunov_soft_start_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_soft_start_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64)
-template <> class SoftStart<double> : public detail::Account<lyapunov_soft_start_f64> {
+template <> class SoftStart<double> : public detail::LyapunovAccount<lyapunov_soft_start_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_soft_start_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32x3)
-template <> class SoftStart<Axes<float, 3>> : public detail::Account<lyapunov_soft_start_f32x3> {
+template <> class SoftStart<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_soft_start_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_soft_start_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64x3)
-template <> class SoftStart<Axes<double, 3>> : public detail::Account<lyapunov_soft_start_f64x3> {
+template <> class SoftStart<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_soft_start_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_soft_start_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32x6)
-template <> class SoftStart<Axes<float, 6>> : public detail::Account<lyapunov_soft_start_f32x6> {
+template <> class SoftStart<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_soft_start_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_soft_start_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64x6)
-template <> class SoftStart<Axes<double, 6>> : public detail::Account<lyapunov_soft_start_f64x6> {
+template <> class SoftStart<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_soft_start_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_soft_start_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f32screw)
-template <> class SoftStart<Screw<float>> : public detail::Account<lyapunov_soft_start_f32screw> {
+template <> class SoftStart<Screw<float>> : public detail::LyapunovAccount<lyapunov_soft_start_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_soft_start_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_soft_start_f64screw)
-template <> class SoftStart<Screw<double>> : public detail::Account<lyapunov_soft_start_f64screw> {
+template <> class SoftStart<Screw<double>> : public detail::LyapunovAccount<lyapunov_soft_start_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_soft_start_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1611,56 +1637,56 @@ public:
 template <class Signal> class RateLimit;
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32)
-template <> class RateLimit<float> : public detail::Account<lyapunov_rate_limit_f32> {
+template <> class RateLimit<float> : public detail::LyapunovAccount<lyapunov_rate_limit_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_rate_limit_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64)
-template <> class RateLimit<double> : public detail::Account<lyapunov_rate_limit_f64> {
+template <> class RateLimit<double> : public detail::LyapunovAccount<lyapunov_rate_limit_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_rate_limit_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32x3)
-template <> class RateLimit<Axes<float, 3>> : public detail::Account<lyapunov_rate_limit_f32x3> {
+template <> class RateLimit<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_rate_limit_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_rate_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64x3)
-template <> class RateLimit<Axes<double, 3>> : public detail::Account<lyapunov_rate_limit_f64x3> {
+template <> class RateLimit<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_rate_limit_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_rate_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32x6)
-template <> class RateLimit<Axes<float, 6>> : public detail::Account<lyapunov_rate_limit_f32x6> {
+template <> class RateLimit<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_rate_limit_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_rate_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64x6)
-template <> class RateLimit<Axes<double, 6>> : public detail::Account<lyapunov_rate_limit_f64x6> {
+template <> class RateLimit<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_rate_limit_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_rate_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f32screw)
-template <> class RateLimit<Screw<float>> : public detail::Account<lyapunov_rate_limit_f32screw> {
+template <> class RateLimit<Screw<float>> : public detail::LyapunovAccount<lyapunov_rate_limit_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_rate_limit_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_rate_limit_f64screw)
-template <> class RateLimit<Screw<double>> : public detail::Account<lyapunov_rate_limit_f64screw> {
+template <> class RateLimit<Screw<double>> : public detail::LyapunovAccount<lyapunov_rate_limit_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_rate_limit_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1670,56 +1696,56 @@ public:
 template <class Signal> class AxisWeights;
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32)
-template <> class AxisWeights<float> : public detail::Account<lyapunov_axis_weights_f32> {
+template <> class AxisWeights<float> : public detail::LyapunovAccount<lyapunov_axis_weights_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_axis_weights_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64)
-template <> class AxisWeights<double> : public detail::Account<lyapunov_axis_weights_f64> {
+template <> class AxisWeights<double> : public detail::LyapunovAccount<lyapunov_axis_weights_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_axis_weights_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32x3)
-template <> class AxisWeights<Axes<float, 3>> : public detail::Account<lyapunov_axis_weights_f32x3> {
+template <> class AxisWeights<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_axis_weights_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_axis_weights_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64x3)
-template <> class AxisWeights<Axes<double, 3>> : public detail::Account<lyapunov_axis_weights_f64x3> {
+template <> class AxisWeights<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_axis_weights_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_axis_weights_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32x6)
-template <> class AxisWeights<Axes<float, 6>> : public detail::Account<lyapunov_axis_weights_f32x6> {
+template <> class AxisWeights<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_axis_weights_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_axis_weights_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64x6)
-template <> class AxisWeights<Axes<double, 6>> : public detail::Account<lyapunov_axis_weights_f64x6> {
+template <> class AxisWeights<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_axis_weights_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_axis_weights_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f32screw)
-template <> class AxisWeights<Screw<float>> : public detail::Account<lyapunov_axis_weights_f32screw> {
+template <> class AxisWeights<Screw<float>> : public detail::LyapunovAccount<lyapunov_axis_weights_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_axis_weights_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_axis_weights_f64screw)
-template <> class AxisWeights<Screw<double>> : public detail::Account<lyapunov_axis_weights_f64screw> {
+template <> class AxisWeights<Screw<double>> : public detail::LyapunovAccount<lyapunov_axis_weights_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_axis_weights_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1729,56 +1755,56 @@ public:
 template <class Signal> class AlongDirection;
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32)
-template <> class AlongDirection<float> : public detail::Account<lyapunov_along_direction_f32> {
+template <> class AlongDirection<float> : public detail::LyapunovAccount<lyapunov_along_direction_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_along_direction_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64)
-template <> class AlongDirection<double> : public detail::Account<lyapunov_along_direction_f64> {
+template <> class AlongDirection<double> : public detail::LyapunovAccount<lyapunov_along_direction_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_along_direction_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32x3)
-template <> class AlongDirection<Axes<float, 3>> : public detail::Account<lyapunov_along_direction_f32x3> {
+template <> class AlongDirection<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_along_direction_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_along_direction_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64x3)
-template <> class AlongDirection<Axes<double, 3>> : public detail::Account<lyapunov_along_direction_f64x3> {
+template <> class AlongDirection<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_along_direction_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_along_direction_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32x6)
-template <> class AlongDirection<Axes<float, 6>> : public detail::Account<lyapunov_along_direction_f32x6> {
+template <> class AlongDirection<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_along_direction_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_along_direction_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64x6)
-template <> class AlongDirection<Axes<double, 6>> : public detail::Account<lyapunov_along_direction_f64x6> {
+template <> class AlongDirection<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_along_direction_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_along_direction_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f32screw)
-template <> class AlongDirection<Screw<float>> : public detail::Account<lyapunov_along_direction_f32screw> {
+template <> class AlongDirection<Screw<float>> : public detail::LyapunovAccount<lyapunov_along_direction_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_along_direction_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_along_direction_f64screw)
-template <> class AlongDirection<Screw<double>> : public detail::Account<lyapunov_along_direction_f64screw> {
+template <> class AlongDirection<Screw<double>> : public detail::LyapunovAccount<lyapunov_along_direction_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_along_direction_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1788,28 +1814,28 @@ public:
 template <class Signal> class InertiaMetric;
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f32x3)
-template <> class InertiaMetric<Axes<float, 3>> : public detail::Account<lyapunov_inertia_metric_f32x3> {
+template <> class InertiaMetric<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_inertia_metric_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_metric_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f64x3)
-template <> class InertiaMetric<Axes<double, 3>> : public detail::Account<lyapunov_inertia_metric_f64x3> {
+template <> class InertiaMetric<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_inertia_metric_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_metric_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f32x6)
-template <> class InertiaMetric<Axes<float, 6>> : public detail::Account<lyapunov_inertia_metric_f32x6> {
+template <> class InertiaMetric<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_inertia_metric_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_metric_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_metric_f64x6)
-template <> class InertiaMetric<Axes<double, 6>> : public detail::Account<lyapunov_inertia_metric_f64x6> {
+template <> class InertiaMetric<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_inertia_metric_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_metric_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1819,28 +1845,28 @@ public:
 template <class Signal> class InertiaLimit;
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f32x3)
-template <> class InertiaLimit<Axes<float, 3>> : public detail::Account<lyapunov_inertia_limit_f32x3> {
+template <> class InertiaLimit<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_inertia_limit_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_inertia_limit_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f64x3)
-template <> class InertiaLimit<Axes<double, 3>> : public detail::Account<lyapunov_inertia_limit_f64x3> {
+template <> class InertiaLimit<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_inertia_limit_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_inertia_limit_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f32x6)
-template <> class InertiaLimit<Axes<float, 6>> : public detail::Account<lyapunov_inertia_limit_f32x6> {
+template <> class InertiaLimit<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_inertia_limit_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_inertia_limit_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_inertia_limit_f64x6)
-template <> class InertiaLimit<Axes<double, 6>> : public detail::Account<lyapunov_inertia_limit_f64x6> {
+template <> class InertiaLimit<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_inertia_limit_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_inertia_limit_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1850,56 +1876,56 @@ public:
 template <class Signal> class Plausible;
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f32)
-template <> class Plausible<float> : public detail::Account<lyapunov_plausible_f32> {
+template <> class Plausible<float> : public detail::LyapunovAccount<lyapunov_plausible_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_plausible_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f64)
-template <> class Plausible<double> : public detail::Account<lyapunov_plausible_f64> {
+template <> class Plausible<double> : public detail::LyapunovAccount<lyapunov_plausible_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_plausible_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f32x3)
-template <> class Plausible<Axes<float, 3>> : public detail::Account<lyapunov_plausible_f32x3> {
+template <> class Plausible<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_plausible_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_plausible_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f64x3)
-template <> class Plausible<Axes<double, 3>> : public detail::Account<lyapunov_plausible_f64x3> {
+template <> class Plausible<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_plausible_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_plausible_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f32x6)
-template <> class Plausible<Axes<float, 6>> : public detail::Account<lyapunov_plausible_f32x6> {
+template <> class Plausible<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_plausible_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_plausible_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f64x6)
-template <> class Plausible<Axes<double, 6>> : public detail::Account<lyapunov_plausible_f64x6> {
+template <> class Plausible<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_plausible_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_plausible_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f32screw)
-template <> class Plausible<Screw<float>> : public detail::Account<lyapunov_plausible_f32screw> {
+template <> class Plausible<Screw<float>> : public detail::LyapunovAccount<lyapunov_plausible_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_plausible_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_plausible_f64screw)
-template <> class Plausible<Screw<double>> : public detail::Account<lyapunov_plausible_f64screw> {
+template <> class Plausible<Screw<double>> : public detail::LyapunovAccount<lyapunov_plausible_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_plausible_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1909,56 +1935,56 @@ public:
 template <class Signal> class Watchdog;
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32)
-template <> class Watchdog<float> : public detail::Account<lyapunov_watchdog_f32> {
+template <> class Watchdog<float> : public detail::LyapunovAccount<lyapunov_watchdog_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_watchdog_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64)
-template <> class Watchdog<double> : public detail::Account<lyapunov_watchdog_f64> {
+template <> class Watchdog<double> : public detail::LyapunovAccount<lyapunov_watchdog_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_watchdog_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32x3)
-template <> class Watchdog<Axes<float, 3>> : public detail::Account<lyapunov_watchdog_f32x3> {
+template <> class Watchdog<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_watchdog_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_watchdog_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64x3)
-template <> class Watchdog<Axes<double, 3>> : public detail::Account<lyapunov_watchdog_f64x3> {
+template <> class Watchdog<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_watchdog_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_watchdog_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32x6)
-template <> class Watchdog<Axes<float, 6>> : public detail::Account<lyapunov_watchdog_f32x6> {
+template <> class Watchdog<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_watchdog_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_watchdog_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64x6)
-template <> class Watchdog<Axes<double, 6>> : public detail::Account<lyapunov_watchdog_f64x6> {
+template <> class Watchdog<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_watchdog_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_watchdog_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f32screw)
-template <> class Watchdog<Screw<float>> : public detail::Account<lyapunov_watchdog_f32screw> {
+template <> class Watchdog<Screw<float>> : public detail::LyapunovAccount<lyapunov_watchdog_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_watchdog_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_watchdog_f64screw)
-template <> class Watchdog<Screw<double>> : public detail::Account<lyapunov_watchdog_f64screw> {
+template <> class Watchdog<Screw<double>> : public detail::LyapunovAccount<lyapunov_watchdog_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_watchdog_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -1968,56 +1994,56 @@ public:
 template <class Signal> class Safeguarded;
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32)
-template <> class Safeguarded<float> : public detail::Account<lyapunov_safeguarded_f32> {
+template <> class Safeguarded<float> : public detail::LyapunovAccount<lyapunov_safeguarded_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_safeguarded_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64)
-template <> class Safeguarded<double> : public detail::Account<lyapunov_safeguarded_f64> {
+template <> class Safeguarded<double> : public detail::LyapunovAccount<lyapunov_safeguarded_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_safeguarded_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32x3)
-template <> class Safeguarded<Axes<float, 3>> : public detail::Account<lyapunov_safeguarded_f32x3> {
+template <> class Safeguarded<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_safeguarded_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_safeguarded_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64x3)
-template <> class Safeguarded<Axes<double, 3>> : public detail::Account<lyapunov_safeguarded_f64x3> {
+template <> class Safeguarded<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_safeguarded_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_safeguarded_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32x6)
-template <> class Safeguarded<Axes<float, 6>> : public detail::Account<lyapunov_safeguarded_f32x6> {
+template <> class Safeguarded<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_safeguarded_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_safeguarded_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64x6)
-template <> class Safeguarded<Axes<double, 6>> : public detail::Account<lyapunov_safeguarded_f64x6> {
+template <> class Safeguarded<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_safeguarded_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_safeguarded_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f32screw)
-template <> class Safeguarded<Screw<float>> : public detail::Account<lyapunov_safeguarded_f32screw> {
+template <> class Safeguarded<Screw<float>> : public detail::LyapunovAccount<lyapunov_safeguarded_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_safeguarded_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_safeguarded_f64screw)
-template <> class Safeguarded<Screw<double>> : public detail::Account<lyapunov_safeguarded_f64screw> {
+template <> class Safeguarded<Screw<double>> : public detail::LyapunovAccount<lyapunov_safeguarded_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_safeguarded_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2027,28 +2053,28 @@ public:
 template <class Signal> class PerAxis;
 
 LYAPUNOV_BLOCK(lyapunov_per_axis_f32x3)
-template <> class PerAxis<Axes<float, 3>> : public detail::Block<lyapunov_per_axis_f32x3> {
+template <> class PerAxis<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_per_axis_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_per_axis_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_per_axis_f64x3)
-template <> class PerAxis<Axes<double, 3>> : public detail::Block<lyapunov_per_axis_f64x3> {
+template <> class PerAxis<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_per_axis_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_per_axis_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_per_axis_f32x6)
-template <> class PerAxis<Axes<float, 6>> : public detail::Block<lyapunov_per_axis_f32x6> {
+template <> class PerAxis<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_per_axis_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_per_axis_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_per_axis_f64x6)
-template <> class PerAxis<Axes<double, 6>> : public detail::Block<lyapunov_per_axis_f64x6> {
+template <> class PerAxis<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_per_axis_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_per_axis_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2058,14 +2084,14 @@ public:
 template <class Signal> class PerPart;
 
 LYAPUNOV_BLOCK(lyapunov_per_part_f32screw)
-template <> class PerPart<Screw<float>> : public detail::Block<lyapunov_per_part_f32screw> {
+template <> class PerPart<Screw<float>> : public detail::LyapunovBlock<lyapunov_per_part_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_per_part_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_per_part_f64screw)
-template <> class PerPart<Screw<double>> : public detail::Block<lyapunov_per_part_f64screw> {
+template <> class PerPart<Screw<double>> : public detail::LyapunovBlock<lyapunov_per_part_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_per_part_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2075,14 +2101,14 @@ public:
 template <class Signal> class PartLimits;
 
 LYAPUNOV_ACCOUNT(lyapunov_part_limits_f32screw)
-template <> class PartLimits<Screw<float>> : public detail::Account<lyapunov_part_limits_f32screw> {
+template <> class PartLimits<Screw<float>> : public detail::LyapunovAccount<lyapunov_part_limits_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_part_limits_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_part_limits_f64screw)
-template <> class PartLimits<Screw<double>> : public detail::Account<lyapunov_part_limits_f64screw> {
+template <> class PartLimits<Screw<double>> : public detail::LyapunovAccount<lyapunov_part_limits_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_part_limits_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2092,56 +2118,56 @@ public:
 template <class Signal> class ForceBound;
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32)
-template <> class ForceBound<float> : public detail::Account<lyapunov_force_bound_f32> {
+template <> class ForceBound<float> : public detail::LyapunovAccount<lyapunov_force_bound_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64)
-template <> class ForceBound<double> : public detail::Account<lyapunov_force_bound_f64> {
+template <> class ForceBound<double> : public detail::LyapunovAccount<lyapunov_force_bound_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32x3)
-template <> class ForceBound<Axes<float, 3>> : public detail::Account<lyapunov_force_bound_f32x3> {
+template <> class ForceBound<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_force_bound_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64x3)
-template <> class ForceBound<Axes<double, 3>> : public detail::Account<lyapunov_force_bound_f64x3> {
+template <> class ForceBound<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_force_bound_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32x6)
-template <> class ForceBound<Axes<float, 6>> : public detail::Account<lyapunov_force_bound_f32x6> {
+template <> class ForceBound<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_force_bound_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64x6)
-template <> class ForceBound<Axes<double, 6>> : public detail::Account<lyapunov_force_bound_f64x6> {
+template <> class ForceBound<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_force_bound_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f32screw)
-template <> class ForceBound<Screw<float>> : public detail::Account<lyapunov_force_bound_f32screw> {
+template <> class ForceBound<Screw<float>> : public detail::LyapunovAccount<lyapunov_force_bound_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bound_f64screw)
-template <> class ForceBound<Screw<double>> : public detail::Account<lyapunov_force_bound_f64screw> {
+template <> class ForceBound<Screw<double>> : public detail::LyapunovAccount<lyapunov_force_bound_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2151,56 +2177,56 @@ public:
 template <class Signal> class ForceBounding;
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32)
-template <> class ForceBounding<float> : public detail::Account<lyapunov_force_bounding_f32> {
+template <> class ForceBounding<float> : public detail::LyapunovAccount<lyapunov_force_bounding_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_force_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64)
-template <> class ForceBounding<double> : public detail::Account<lyapunov_force_bounding_f64> {
+template <> class ForceBounding<double> : public detail::LyapunovAccount<lyapunov_force_bounding_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_force_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32x3)
-template <> class ForceBounding<Axes<float, 3>> : public detail::Account<lyapunov_force_bounding_f32x3> {
+template <> class ForceBounding<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_force_bounding_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_force_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64x3)
-template <> class ForceBounding<Axes<double, 3>> : public detail::Account<lyapunov_force_bounding_f64x3> {
+template <> class ForceBounding<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_force_bounding_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_force_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32x6)
-template <> class ForceBounding<Axes<float, 6>> : public detail::Account<lyapunov_force_bounding_f32x6> {
+template <> class ForceBounding<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_force_bounding_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_force_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64x6)
-template <> class ForceBounding<Axes<double, 6>> : public detail::Account<lyapunov_force_bounding_f64x6> {
+template <> class ForceBounding<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_force_bounding_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_force_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f32screw)
-template <> class ForceBounding<Screw<float>> : public detail::Account<lyapunov_force_bounding_f32screw> {
+template <> class ForceBounding<Screw<float>> : public detail::LyapunovAccount<lyapunov_force_bounding_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_force_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_force_bounding_f64screw)
-template <> class ForceBounding<Screw<double>> : public detail::Account<lyapunov_force_bounding_f64screw> {
+template <> class ForceBounding<Screw<double>> : public detail::LyapunovAccount<lyapunov_force_bounding_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_force_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2210,56 +2236,56 @@ public:
 template <class Signal> class Tank;
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f32)
-template <> class Tank<float> : public detail::Account<lyapunov_tank_f32> {
+template <> class Tank<float> : public detail::LyapunovAccount<lyapunov_tank_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_tank_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f64)
-template <> class Tank<double> : public detail::Account<lyapunov_tank_f64> {
+template <> class Tank<double> : public detail::LyapunovAccount<lyapunov_tank_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_tank_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f32x3)
-template <> class Tank<Axes<float, 3>> : public detail::Account<lyapunov_tank_f32x3> {
+template <> class Tank<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_tank_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_tank_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f64x3)
-template <> class Tank<Axes<double, 3>> : public detail::Account<lyapunov_tank_f64x3> {
+template <> class Tank<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_tank_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_tank_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f32x6)
-template <> class Tank<Axes<float, 6>> : public detail::Account<lyapunov_tank_f32x6> {
+template <> class Tank<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_tank_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_tank_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f64x6)
-template <> class Tank<Axes<double, 6>> : public detail::Account<lyapunov_tank_f64x6> {
+template <> class Tank<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_tank_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_tank_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f32screw)
-template <> class Tank<Screw<float>> : public detail::Account<lyapunov_tank_f32screw> {
+template <> class Tank<Screw<float>> : public detail::LyapunovAccount<lyapunov_tank_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_tank_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_tank_f64screw)
-template <> class Tank<Screw<double>> : public detail::Account<lyapunov_tank_f64screw> {
+template <> class Tank<Screw<double>> : public detail::LyapunovAccount<lyapunov_tank_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_tank_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2269,7 +2295,7 @@ public:
 template <class Signal> class EnergyTank;
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f32)
-template <> class EnergyTank<float> : public detail::Block<lyapunov_energy_tank_f32> {
+template <> class EnergyTank<float> : public detail::LyapunovBlock<lyapunov_energy_tank_f32> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     float pass(float period, float dissipated, float wished, float flow) noexcept { auto passed = detail::unanswered<float>(); lyapunov_energy_tank_f32_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
@@ -2278,7 +2304,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f64)
-template <> class EnergyTank<double> : public detail::Block<lyapunov_energy_tank_f64> {
+template <> class EnergyTank<double> : public detail::LyapunovBlock<lyapunov_energy_tank_f64> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     double pass(double period, double dissipated, double wished, double flow) noexcept { auto passed = detail::unanswered<double>(); lyapunov_energy_tank_f64_pass(&storage, period, dissipated, wished, flow, &passed); return passed; }
@@ -2287,7 +2313,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f32x3)
-template <> class EnergyTank<Axes<float, 3>> : public detail::Block<lyapunov_energy_tank_f32x3> {
+template <> class EnergyTank<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_energy_tank_f32x3> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32x3 pass(float period, float dissipated, View<float, 3> wished, View<float, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x3>(wished); const auto flow_form = detail::form<lyapunov_f32x3>(flow); auto passed = detail::unanswered<lyapunov_f32x3>(); lyapunov_energy_tank_f32x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
@@ -2296,7 +2322,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f64x3)
-template <> class EnergyTank<Axes<double, 3>> : public detail::Block<lyapunov_energy_tank_f64x3> {
+template <> class EnergyTank<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_energy_tank_f64x3> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64x3 pass(double period, double dissipated, View<double, 3> wished, View<double, 3> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x3>(wished); const auto flow_form = detail::form<lyapunov_f64x3>(flow); auto passed = detail::unanswered<lyapunov_f64x3>(); lyapunov_energy_tank_f64x3_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
@@ -2305,7 +2331,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f32x6)
-template <> class EnergyTank<Axes<float, 6>> : public detail::Block<lyapunov_energy_tank_f32x6> {
+template <> class EnergyTank<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_energy_tank_f32x6> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32x6 pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32x6>(wished); const auto flow_form = detail::form<lyapunov_f32x6>(flow); auto passed = detail::unanswered<lyapunov_f32x6>(); lyapunov_energy_tank_f32x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
@@ -2314,7 +2340,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f64x6)
-template <> class EnergyTank<Axes<double, 6>> : public detail::Block<lyapunov_energy_tank_f64x6> {
+template <> class EnergyTank<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_energy_tank_f64x6> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64x6 pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64x6>(wished); const auto flow_form = detail::form<lyapunov_f64x6>(flow); auto passed = detail::unanswered<lyapunov_f64x6>(); lyapunov_energy_tank_f64x6_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
@@ -2323,7 +2349,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f32screw)
-template <> class EnergyTank<Screw<float>> : public detail::Block<lyapunov_energy_tank_f32screw> {
+template <> class EnergyTank<Screw<float>> : public detail::LyapunovBlock<lyapunov_energy_tank_f32screw> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f32screw pass(float period, float dissipated, View<float, 6> wished, View<float, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f32screw>(wished); const auto flow_form = detail::form<lyapunov_f32screw>(flow); auto passed = detail::unanswered<lyapunov_f32screw>(); lyapunov_energy_tank_f32screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
@@ -2332,7 +2358,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_tank_f64screw)
-template <> class EnergyTank<Screw<double>> : public detail::Block<lyapunov_energy_tank_f64screw> {
+template <> class EnergyTank<Screw<double>> : public detail::LyapunovBlock<lyapunov_energy_tank_f64screw> {
 public:
     /* The part of the wished input that passes over `period` s at the flow it acts on (wished times flow above 0 extracts), while `dissipated` W flow in; below 0 they count as 0. What is not finite passes nothing and leaves the tank as it is. */
     lyapunov_f64screw pass(double period, double dissipated, View<double, 6> wished, View<double, 6> flow) noexcept { const auto wished_form = detail::form<lyapunov_f64screw>(wished); const auto flow_form = detail::form<lyapunov_f64screw>(flow); auto passed = detail::unanswered<lyapunov_f64screw>(); lyapunov_energy_tank_f64screw_pass(&storage, period, dissipated, &wished_form, &flow_form, &passed); return passed; }
@@ -2344,56 +2370,56 @@ public:
 template <class Signal> class EnergyBounding;
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32)
-template <> class EnergyBounding<float> : public detail::Account<lyapunov_energy_bounding_f32> {
+template <> class EnergyBounding<float> : public detail::LyapunovAccount<lyapunov_energy_bounding_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_energy_bounding_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64)
-template <> class EnergyBounding<double> : public detail::Account<lyapunov_energy_bounding_f64> {
+template <> class EnergyBounding<double> : public detail::LyapunovAccount<lyapunov_energy_bounding_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_energy_bounding_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32x3)
-template <> class EnergyBounding<Axes<float, 3>> : public detail::Account<lyapunov_energy_bounding_f32x3> {
+template <> class EnergyBounding<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_energy_bounding_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_energy_bounding_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64x3)
-template <> class EnergyBounding<Axes<double, 3>> : public detail::Account<lyapunov_energy_bounding_f64x3> {
+template <> class EnergyBounding<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_energy_bounding_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_energy_bounding_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32x6)
-template <> class EnergyBounding<Axes<float, 6>> : public detail::Account<lyapunov_energy_bounding_f32x6> {
+template <> class EnergyBounding<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_energy_bounding_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_energy_bounding_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64x6)
-template <> class EnergyBounding<Axes<double, 6>> : public detail::Account<lyapunov_energy_bounding_f64x6> {
+template <> class EnergyBounding<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_energy_bounding_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_energy_bounding_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f32screw)
-template <> class EnergyBounding<Screw<float>> : public detail::Account<lyapunov_energy_bounding_f32screw> {
+template <> class EnergyBounding<Screw<float>> : public detail::LyapunovAccount<lyapunov_energy_bounding_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_energy_bounding_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_energy_bounding_f64screw)
-template <> class EnergyBounding<Screw<double>> : public detail::Account<lyapunov_energy_bounding_f64screw> {
+template <> class EnergyBounding<Screw<double>> : public detail::LyapunovAccount<lyapunov_energy_bounding_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_energy_bounding_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2403,56 +2429,56 @@ public:
 template <class Signal> class LeastNorm;
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32)
-template <> class LeastNorm<float> : public detail::Account<lyapunov_least_norm_f32> {
+template <> class LeastNorm<float> : public detail::LyapunovAccount<lyapunov_least_norm_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_least_norm_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64)
-template <> class LeastNorm<double> : public detail::Account<lyapunov_least_norm_f64> {
+template <> class LeastNorm<double> : public detail::LyapunovAccount<lyapunov_least_norm_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_least_norm_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32x3)
-template <> class LeastNorm<Axes<float, 3>> : public detail::Account<lyapunov_least_norm_f32x3> {
+template <> class LeastNorm<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_least_norm_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_least_norm_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64x3)
-template <> class LeastNorm<Axes<double, 3>> : public detail::Account<lyapunov_least_norm_f64x3> {
+template <> class LeastNorm<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_least_norm_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_least_norm_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32x6)
-template <> class LeastNorm<Axes<float, 6>> : public detail::Account<lyapunov_least_norm_f32x6> {
+template <> class LeastNorm<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_least_norm_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_least_norm_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64x6)
-template <> class LeastNorm<Axes<double, 6>> : public detail::Account<lyapunov_least_norm_f64x6> {
+template <> class LeastNorm<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_least_norm_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_least_norm_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f32screw)
-template <> class LeastNorm<Screw<float>> : public detail::Account<lyapunov_least_norm_f32screw> {
+template <> class LeastNorm<Screw<float>> : public detail::LyapunovAccount<lyapunov_least_norm_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_least_norm_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_least_norm_f64screw)
-template <> class LeastNorm<Screw<double>> : public detail::Account<lyapunov_least_norm_f64screw> {
+template <> class LeastNorm<Screw<double>> : public detail::LyapunovAccount<lyapunov_least_norm_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_least_norm_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2462,56 +2488,56 @@ public:
 template <class Signal> class SlopeBound;
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32)
-template <> class SlopeBound<float> : public detail::Account<lyapunov_slope_bound_f32> {
+template <> class SlopeBound<float> : public detail::LyapunovAccount<lyapunov_slope_bound_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_slope_bound_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64)
-template <> class SlopeBound<double> : public detail::Account<lyapunov_slope_bound_f64> {
+template <> class SlopeBound<double> : public detail::LyapunovAccount<lyapunov_slope_bound_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_slope_bound_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32x3)
-template <> class SlopeBound<Axes<float, 3>> : public detail::Account<lyapunov_slope_bound_f32x3> {
+template <> class SlopeBound<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_slope_bound_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_slope_bound_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64x3)
-template <> class SlopeBound<Axes<double, 3>> : public detail::Account<lyapunov_slope_bound_f64x3> {
+template <> class SlopeBound<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_slope_bound_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_slope_bound_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32x6)
-template <> class SlopeBound<Axes<float, 6>> : public detail::Account<lyapunov_slope_bound_f32x6> {
+template <> class SlopeBound<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_slope_bound_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_slope_bound_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64x6)
-template <> class SlopeBound<Axes<double, 6>> : public detail::Account<lyapunov_slope_bound_f64x6> {
+template <> class SlopeBound<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_slope_bound_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_slope_bound_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f32screw)
-template <> class SlopeBound<Screw<float>> : public detail::Account<lyapunov_slope_bound_f32screw> {
+template <> class SlopeBound<Screw<float>> : public detail::LyapunovAccount<lyapunov_slope_bound_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_slope_bound_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_slope_bound_f64screw)
-template <> class SlopeBound<Screw<double>> : public detail::Account<lyapunov_slope_bound_f64screw> {
+template <> class SlopeBound<Screw<double>> : public detail::LyapunovAccount<lyapunov_slope_bound_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_slope_bound_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
@@ -2521,14 +2547,14 @@ public:
 template <class Signal> class MemoryBased;
 
 LYAPUNOV_ACCOUNT(lyapunov_memory_based_f32)
-template <> class MemoryBased<float> : public detail::Account<lyapunov_memory_based_f32> {
+template <> class MemoryBased<float> : public detail::LyapunovAccount<lyapunov_memory_based_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_memory_based_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_memory_based_f64)
-template <> class MemoryBased<double> : public detail::Account<lyapunov_memory_based_f64> {
+template <> class MemoryBased<double> : public detail::LyapunovAccount<lyapunov_memory_based_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_memory_based_f64_step(&storage, &sample, effort, &correction); return correction; }
@@ -2538,198 +2564,198 @@ public:
 template <class Signal> class PathMemory;
 
 LYAPUNOV_BLOCK(lyapunov_path_memory_f32)
-template <> class PathMemory<float> : public detail::Block<lyapunov_path_memory_f32> {
+template <> class PathMemory<float> : public detail::LyapunovBlock<lyapunov_path_memory_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_path_memory_f32_step(&storage, &sample, effort, &correction); return correction; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_path_memory_f64)
-template <> class PathMemory<double> : public detail::Block<lyapunov_path_memory_f64> {
+template <> class PathMemory<double> : public detail::LyapunovBlock<lyapunov_path_memory_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_path_memory_f64_step(&storage, &sample, effort, &correction); return correction; }
 };
 
-/* Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came. */
+/* Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came. Where force comes in and motion goes out, as at a slave, `velocity` of the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and the limit mobilities, m/(N.s). README.md has it as a table. */
 template <class Signal> class TwoPortSide;
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32)
-template <> class TwoPortSide<float> : public detail::Account<lyapunov_two_port_side_f32> {
+template <> class TwoPortSide<float> : public detail::LyapunovAccount<lyapunov_two_port_side_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64)
-template <> class TwoPortSide<double> : public detail::Account<lyapunov_two_port_side_f64> {
+template <> class TwoPortSide<double> : public detail::LyapunovAccount<lyapunov_two_port_side_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32x3)
-template <> class TwoPortSide<Axes<float, 3>> : public detail::Account<lyapunov_two_port_side_f32x3> {
+template <> class TwoPortSide<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_two_port_side_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x3_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64x3)
-template <> class TwoPortSide<Axes<double, 3>> : public detail::Account<lyapunov_two_port_side_f64x3> {
+template <> class TwoPortSide<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_two_port_side_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x3_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32x6)
-template <> class TwoPortSide<Axes<float, 6>> : public detail::Account<lyapunov_two_port_side_f32x6> {
+template <> class TwoPortSide<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_two_port_side_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x6_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64x6)
-template <> class TwoPortSide<Axes<double, 6>> : public detail::Account<lyapunov_two_port_side_f64x6> {
+template <> class TwoPortSide<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_two_port_side_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x6_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f32screw)
-template <> class TwoPortSide<Screw<float>> : public detail::Account<lyapunov_two_port_side_f32screw> {
+template <> class TwoPortSide<Screw<float>> : public detail::LyapunovAccount<lyapunov_two_port_side_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32screw_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_port_side_f64screw)
-template <> class TwoPortSide<Screw<double>> : public detail::Account<lyapunov_two_port_side_f64screw> {
+template <> class TwoPortSide<Screw<double>> : public detail::LyapunovAccount<lyapunov_two_port_side_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_receive(&storage, energy)); }
 };
 
-/* Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated). */
+/* Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated). `velocity` of the sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table. */
 template <class Signal> class DriftCompensated;
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32)
-template <> class DriftCompensated<float> : public detail::Account<lyapunov_drift_compensated_f32> {
+template <> class DriftCompensated<float> : public detail::LyapunovAccount<lyapunov_drift_compensated_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64)
-template <> class DriftCompensated<double> : public detail::Account<lyapunov_drift_compensated_f64> {
+template <> class DriftCompensated<double> : public detail::LyapunovAccount<lyapunov_drift_compensated_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32x3)
-template <> class DriftCompensated<Axes<float, 3>> : public detail::Account<lyapunov_drift_compensated_f32x3> {
+template <> class DriftCompensated<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_drift_compensated_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x3_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64x3)
-template <> class DriftCompensated<Axes<double, 3>> : public detail::Account<lyapunov_drift_compensated_f64x3> {
+template <> class DriftCompensated<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_drift_compensated_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x3_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32x6)
-template <> class DriftCompensated<Axes<float, 6>> : public detail::Account<lyapunov_drift_compensated_f32x6> {
+template <> class DriftCompensated<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_drift_compensated_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x6_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64x6)
-template <> class DriftCompensated<Axes<double, 6>> : public detail::Account<lyapunov_drift_compensated_f64x6> {
+template <> class DriftCompensated<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_drift_compensated_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x6_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f32screw)
-template <> class DriftCompensated<Screw<float>> : public detail::Account<lyapunov_drift_compensated_f32screw> {
+template <> class DriftCompensated<Screw<float>> : public detail::LyapunovAccount<lyapunov_drift_compensated_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32screw_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_drift_compensated_f64screw)
-template <> class DriftCompensated<Screw<double>> : public detail::Account<lyapunov_drift_compensated_f64screw> {
+template <> class DriftCompensated<Screw<double>> : public detail::LyapunovAccount<lyapunov_drift_compensated_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all. */
+    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64screw_receive(&storage, energy)); }
 };
 
@@ -2737,254 +2763,254 @@ public:
 template <class Signal> class TwoLayer;
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32)
-template <> class TwoLayer<float> : public detail::Account<lyapunov_two_layer_f32> {
+template <> class TwoLayer<float> : public detail::LyapunovAccount<lyapunov_two_layer_f32> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64)
-template <> class TwoLayer<double> : public detail::Account<lyapunov_two_layer_f64> {
+template <> class TwoLayer<double> : public detail::LyapunovAccount<lyapunov_two_layer_f64> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32x3)
-template <> class TwoLayer<Axes<float, 3>> : public detail::Account<lyapunov_two_layer_f32x3> {
+template <> class TwoLayer<Axes<float, 3>> : public detail::LyapunovAccount<lyapunov_two_layer_f32x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x3_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x3_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64x3)
-template <> class TwoLayer<Axes<double, 3>> : public detail::Account<lyapunov_two_layer_f64x3> {
+template <> class TwoLayer<Axes<double, 3>> : public detail::LyapunovAccount<lyapunov_two_layer_f64x3> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x3_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x3_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32x6)
-template <> class TwoLayer<Axes<float, 6>> : public detail::Account<lyapunov_two_layer_f32x6> {
+template <> class TwoLayer<Axes<float, 6>> : public detail::LyapunovAccount<lyapunov_two_layer_f32x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x6_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x6_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64x6)
-template <> class TwoLayer<Axes<double, 6>> : public detail::Account<lyapunov_two_layer_f64x6> {
+template <> class TwoLayer<Axes<double, 6>> : public detail::LyapunovAccount<lyapunov_two_layer_f64x6> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x6_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x6_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f32screw)
-template <> class TwoLayer<Screw<float>> : public detail::Account<lyapunov_two_layer_f32screw> {
+template <> class TwoLayer<Screw<float>> : public detail::LyapunovAccount<lyapunov_two_layer_f32screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32screw_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32screw_receive(&storage, energy)); }
 };
 
 LYAPUNOV_ACCOUNT(lyapunov_two_layer_f64screw)
-template <> class TwoLayer<Screw<double>> : public detail::Account<lyapunov_two_layer_f64screw> {
+template <> class TwoLayer<Screw<double>> : public detail::LyapunovAccount<lyapunov_two_layer_f64screw> {
 public:
     /* One tick: what the other side did, and the effort that your controller asks for; out comes the correction. */
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64screw_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all. */
+    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_receive(&storage, energy)); }
 };
 
-/* Wave transformation (WaveTransform): waves of a flow and an effort, and the other way round. It has no memory, and what is not finite comes out so. */
+/* Wave transformation (WaveTransform): waves of a flow v and an effort F, and the other way round. With the impedance b the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) / sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It has no memory, and what is not finite comes out so. */
 template <class Signal> class WaveTransform;
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32)
-template <> class WaveTransform<float> : public detail::Block<lyapunov_wave_transform_f32> {
+template <> class WaveTransform<float> : public detail::LyapunovBlock<lyapunov_wave_transform_f32> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32 encode(float flow, float effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f32 encode(float flow, float effort) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32 decode(float there, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f32 decode(float there, float back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32 effort(float flow, float back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f32 effort(float flow, float back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32 flow(float effort, float there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f32 flow(float effort, float there) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_transform_f32_flow(&storage, effort, there, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64)
-template <> class WaveTransform<double> : public detail::Block<lyapunov_wave_transform_f64> {
+template <> class WaveTransform<double> : public detail::LyapunovBlock<lyapunov_wave_transform_f64> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64 encode(double flow, double effort) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
+    lyapunov_wave_f64 encode(double flow, double effort) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_encode(&storage, flow, effort, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64 decode(double there, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
+    lyapunov_wave_f64 decode(double there, double back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_decode(&storage, there, back, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64 effort(double flow, double back) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
+    lyapunov_wave_f64 effort(double flow, double back) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_effort(&storage, flow, back, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64 flow(double effort, double there) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
+    lyapunov_wave_f64 flow(double effort, double there) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_transform_f64_flow(&storage, effort, there, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32x3)
-template <> class WaveTransform<Axes<float, 3>> : public detail::Block<lyapunov_wave_transform_f32x3> {
+template <> class WaveTransform<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_wave_transform_f32x3> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x3 encode(View<float, 3> flow, View<float, 3> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 decode(View<float, 3> there, View<float, 3> back) const noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x3 effort(View<float, 3> flow, View<float, 3> back) const noexcept { const auto flow_form = detail::form<lyapunov_f32x3>(flow); const auto back_form = detail::form<lyapunov_f32x3>(back); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x3 flow(View<float, 3> effort, View<float, 3> there) const noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); const auto there_form = detail::form<lyapunov_f32x3>(there); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_transform_f32x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64x3)
-template <> class WaveTransform<Axes<double, 3>> : public detail::Block<lyapunov_wave_transform_f64x3> {
+template <> class WaveTransform<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_wave_transform_f64x3> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x3 encode(View<double, 3> flow, View<double, 3> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 decode(View<double, 3> there, View<double, 3> back) const noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x3 effort(View<double, 3> flow, View<double, 3> back) const noexcept { const auto flow_form = detail::form<lyapunov_f64x3>(flow); const auto back_form = detail::form<lyapunov_f64x3>(back); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x3 flow(View<double, 3> effort, View<double, 3> there) const noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); const auto there_form = detail::form<lyapunov_f64x3>(there); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_transform_f64x3_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32x6)
-template <> class WaveTransform<Axes<float, 6>> : public detail::Block<lyapunov_wave_transform_f32x6> {
+template <> class WaveTransform<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_wave_transform_f32x6> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32x6 encode(View<float, 6> flow, View<float, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 decode(View<float, 6> there, View<float, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32x6 effort(View<float, 6> flow, View<float, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f32x6>(flow); const auto back_form = detail::form<lyapunov_f32x6>(back); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32x6 flow(View<float, 6> effort, View<float, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); const auto there_form = detail::form<lyapunov_f32x6>(there); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_transform_f32x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64x6)
-template <> class WaveTransform<Axes<double, 6>> : public detail::Block<lyapunov_wave_transform_f64x6> {
+template <> class WaveTransform<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_wave_transform_f64x6> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64x6 encode(View<double, 6> flow, View<double, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 decode(View<double, 6> there, View<double, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64x6 effort(View<double, 6> flow, View<double, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f64x6>(flow); const auto back_form = detail::form<lyapunov_f64x6>(back); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64x6 flow(View<double, 6> effort, View<double, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); const auto there_form = detail::form<lyapunov_f64x6>(there); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_transform_f64x6_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f32screw)
-template <> class WaveTransform<Screw<float>> : public detail::Block<lyapunov_wave_transform_f32screw> {
+template <> class WaveTransform<Screw<float>> : public detail::LyapunovBlock<lyapunov_wave_transform_f32screw> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f32screw encode(View<float, 6> flow, View<float, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw decode(View<float, 6> there, View<float, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f32screw effort(View<float, 6> flow, View<float, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f32screw>(flow); const auto back_form = detail::form<lyapunov_f32screw>(back); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f32screw flow(View<float, 6> effort, View<float, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); const auto there_form = detail::form<lyapunov_f32screw>(there); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_transform_f32screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_transform_f64screw)
-template <> class WaveTransform<Screw<double>> : public detail::Block<lyapunov_wave_transform_f64screw> {
+template <> class WaveTransform<Screw<double>> : public detail::LyapunovBlock<lyapunov_wave_transform_f64screw> {
 public:
     /* The waves of a flow and an effort. */
-    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
+    lyapunov_wave_f64screw encode(View<double, 6> flow, View<double, 6> effort) const noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_encode(&storage, &flow_form, &effort_form, &wave); return wave; }
     /* The flow and the effort of the waves there and back. */
-    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw decode(View<double, 6> there, View<double, 6> back) const noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_decode(&storage, &there_form, &back_form, &wave); return wave; }
     /* The effort where the flow is known and the wave `back` came in, and the wave that goes there. */
-    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
+    lyapunov_wave_f64screw effort(View<double, 6> flow, View<double, 6> back) const noexcept { const auto flow_form = detail::form<lyapunov_f64screw>(flow); const auto back_form = detail::form<lyapunov_f64screw>(back); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_effort(&storage, &flow_form, &back_form, &wave); return wave; }
     /* The flow where the effort is known and the wave `there` came in, and the wave that goes back. */
-    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
+    lyapunov_wave_f64screw flow(View<double, 6> effort, View<double, 6> there) const noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); const auto there_form = detail::form<lyapunov_f64screw>(there); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_transform_f64screw_flow(&storage, &effort_form, &there_form, &wave); return wave; }
 };
 
 /* Low pass in the path of a wave (WaveFilter). */
 template <class Signal> class WaveFilter;
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f32)
-template <> class WaveFilter<float> : public detail::Block<lyapunov_wave_filter_f32> {
+template <> class WaveFilter<float> : public detail::LyapunovBlock<lyapunov_wave_filter_f32> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     float pass(float wave) noexcept { auto sent = detail::unanswered<float>(); lyapunov_wave_filter_f32_pass(&storage, wave, &sent); return sent; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f64)
-template <> class WaveFilter<double> : public detail::Block<lyapunov_wave_filter_f64> {
+template <> class WaveFilter<double> : public detail::LyapunovBlock<lyapunov_wave_filter_f64> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     double pass(double wave) noexcept { auto sent = detail::unanswered<double>(); lyapunov_wave_filter_f64_pass(&storage, wave, &sent); return sent; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f32x3)
-template <> class WaveFilter<Axes<float, 3>> : public detail::Block<lyapunov_wave_filter_f32x3> {
+template <> class WaveFilter<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_wave_filter_f32x3> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f32x3 pass(View<float, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x3>(wave); auto sent = detail::unanswered<lyapunov_f32x3>(); lyapunov_wave_filter_f32x3_pass(&storage, &wave_form, &sent); return sent; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f64x3)
-template <> class WaveFilter<Axes<double, 3>> : public detail::Block<lyapunov_wave_filter_f64x3> {
+template <> class WaveFilter<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_wave_filter_f64x3> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f64x3 pass(View<double, 3> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x3>(wave); auto sent = detail::unanswered<lyapunov_f64x3>(); lyapunov_wave_filter_f64x3_pass(&storage, &wave_form, &sent); return sent; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f32x6)
-template <> class WaveFilter<Axes<float, 6>> : public detail::Block<lyapunov_wave_filter_f32x6> {
+template <> class WaveFilter<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_wave_filter_f32x6> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f32x6 pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32x6>(wave); auto sent = detail::unanswered<lyapunov_f32x6>(); lyapunov_wave_filter_f32x6_pass(&storage, &wave_form, &sent); return sent; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f64x6)
-template <> class WaveFilter<Axes<double, 6>> : public detail::Block<lyapunov_wave_filter_f64x6> {
+template <> class WaveFilter<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_wave_filter_f64x6> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f64x6 pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64x6>(wave); auto sent = detail::unanswered<lyapunov_f64x6>(); lyapunov_wave_filter_f64x6_pass(&storage, &wave_form, &sent); return sent; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f32screw)
-template <> class WaveFilter<Screw<float>> : public detail::Block<lyapunov_wave_filter_f32screw> {
+template <> class WaveFilter<Screw<float>> : public detail::LyapunovBlock<lyapunov_wave_filter_f32screw> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f32screw pass(View<float, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f32screw>(wave); auto sent = detail::unanswered<lyapunov_f32screw>(); lyapunov_wave_filter_f32screw_pass(&storage, &wave_form, &sent); return sent; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_filter_f64screw)
-template <> class WaveFilter<Screw<double>> : public detail::Block<lyapunov_wave_filter_f64screw> {
+template <> class WaveFilter<Screw<double>> : public detail::LyapunovBlock<lyapunov_wave_filter_f64screw> {
 public:
     /* The wave to send for `wave`. One that is not finite is passed over. */
     lyapunov_f64screw pass(View<double, 6> wave) noexcept { const auto wave_form = detail::form<lyapunov_f64screw>(wave); auto sent = detail::unanswered<lyapunov_f64screw>(); lyapunov_wave_filter_f64screw_pass(&storage, &wave_form, &sent); return sent; }
@@ -2994,115 +3020,115 @@ public:
 template <class Signal> class WaveFollower;
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f32)
-template <> class WaveFollower<float> : public detail::Block<lyapunov_wave_follower_f32> {
+template <> class WaveFollower<float> : public detail::LyapunovBlock<lyapunov_wave_follower_f32> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32 follow(float there, float error, float velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f32 follow(float there, float error, float velocity) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f32>(); lyapunov_wave_follower_f32_follow(&storage, there, error, velocity, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64)
-template <> class WaveFollower<double> : public detail::Block<lyapunov_wave_follower_f64> {
+template <> class WaveFollower<double> : public detail::LyapunovBlock<lyapunov_wave_follower_f64> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64 follow(double there, double error, double velocity) noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
+    lyapunov_wave_f64 follow(double there, double error, double velocity) const noexcept { auto wave = detail::unanswered<lyapunov_wave_f64>(); lyapunov_wave_follower_f64_follow(&storage, there, error, velocity, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f32x3)
-template <> class WaveFollower<Axes<float, 3>> : public detail::Block<lyapunov_wave_follower_f32x3> {
+template <> class WaveFollower<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_wave_follower_f32x3> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x3 follow(View<float, 3> there, View<float, 3> error, View<float, 3> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f32x3>(there); const auto error_form = detail::form<lyapunov_f32x3>(error); const auto velocity_form = detail::form<lyapunov_f32x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x3>(); lyapunov_wave_follower_f32x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64x3)
-template <> class WaveFollower<Axes<double, 3>> : public detail::Block<lyapunov_wave_follower_f64x3> {
+template <> class WaveFollower<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_wave_follower_f64x3> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x3 follow(View<double, 3> there, View<double, 3> error, View<double, 3> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f64x3>(there); const auto error_form = detail::form<lyapunov_f64x3>(error); const auto velocity_form = detail::form<lyapunov_f64x3>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x3>(); lyapunov_wave_follower_f64x3_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f32x6)
-template <> class WaveFollower<Axes<float, 6>> : public detail::Block<lyapunov_wave_follower_f32x6> {
+template <> class WaveFollower<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_wave_follower_f32x6> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32x6 follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f32x6>(there); const auto error_form = detail::form<lyapunov_f32x6>(error); const auto velocity_form = detail::form<lyapunov_f32x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32x6>(); lyapunov_wave_follower_f32x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64x6)
-template <> class WaveFollower<Axes<double, 6>> : public detail::Block<lyapunov_wave_follower_f64x6> {
+template <> class WaveFollower<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_wave_follower_f64x6> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64x6 follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f64x6>(there); const auto error_form = detail::form<lyapunov_f64x6>(error); const auto velocity_form = detail::form<lyapunov_f64x6>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64x6>(); lyapunov_wave_follower_f64x6_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f32screw)
-template <> class WaveFollower<Screw<float>> : public detail::Block<lyapunov_wave_follower_f32screw> {
+template <> class WaveFollower<Screw<float>> : public detail::LyapunovBlock<lyapunov_wave_follower_f32screw> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f32screw follow(View<float, 6> there, View<float, 6> error, View<float, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f32screw>(there); const auto error_form = detail::form<lyapunov_f32screw>(error); const auto velocity_form = detail::form<lyapunov_f32screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f32screw>(); lyapunov_wave_follower_f32screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_wave_follower_f64screw)
-template <> class WaveFollower<Screw<double>> : public detail::Block<lyapunov_wave_follower_f64screw> {
+template <> class WaveFollower<Screw<double>> : public detail::LyapunovBlock<lyapunov_wave_follower_f64screw> {
 public:
     /* The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back. */
-    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
+    lyapunov_wave_f64screw follow(View<double, 6> there, View<double, 6> error, View<double, 6> velocity) const noexcept { const auto there_form = detail::form<lyapunov_f64screw>(there); const auto error_form = detail::form<lyapunov_f64screw>(error); const auto velocity_form = detail::form<lyapunov_f64screw>(velocity); auto wave = detail::unanswered<lyapunov_wave_f64screw>(); lyapunov_wave_follower_f64screw_follow(&storage, &there_form, &error_form, &velocity_form, &wave); return wave; }
 };
 
 /* Observer alone (Observer): sums the port's energy and what the device's own damper burns, and changes no effort. */
 template <class Signal> class Observer;
 
 LYAPUNOV_BLOCK(lyapunov_observer_f32)
-template <> class Observer<float> : public detail::Block<lyapunov_observer_f32> {
+template <> class Observer<float> : public detail::LyapunovBlock<lyapunov_observer_f32> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32_observe(&storage, &sample, &energy); return energy; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_observer_f64)
-template <> class Observer<double> : public detail::Block<lyapunov_observer_f64> {
+template <> class Observer<double> : public detail::LyapunovBlock<lyapunov_observer_f64> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64_observe(&storage, &sample, &energy); return energy; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_observer_f32x3)
-template <> class Observer<Axes<float, 3>> : public detail::Block<lyapunov_observer_f32x3> {
+template <> class Observer<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_observer_f32x3> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32x3 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x3_observe(&storage, &sample, &energy); return energy; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_observer_f64x3)
-template <> class Observer<Axes<double, 3>> : public detail::Block<lyapunov_observer_f64x3> {
+template <> class Observer<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_observer_f64x3> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64x3 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x3_observe(&storage, &sample, &energy); return energy; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_observer_f32x6)
-template <> class Observer<Axes<float, 6>> : public detail::Block<lyapunov_observer_f32x6> {
+template <> class Observer<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_observer_f32x6> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32x6 &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32x6_observe(&storage, &sample, &energy); return energy; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_observer_f64x6)
-template <> class Observer<Axes<double, 6>> : public detail::Block<lyapunov_observer_f64x6> {
+template <> class Observer<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_observer_f64x6> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64x6 &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64x6_observe(&storage, &sample, &energy); return energy; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_observer_f32screw)
-template <> class Observer<Screw<float>> : public detail::Block<lyapunov_observer_f32screw> {
+template <> class Observer<Screw<float>> : public detail::LyapunovBlock<lyapunov_observer_f32screw> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     float observe(const lyapunov_sample_f32screw &sample) noexcept { auto energy = detail::unanswered<float>(); lyapunov_observer_f32screw_observe(&storage, &sample, &energy); return energy; }
 };
 
 LYAPUNOV_BLOCK(lyapunov_observer_f64screw)
-template <> class Observer<Screw<double>> : public detail::Block<lyapunov_observer_f64screw> {
+template <> class Observer<Screw<double>> : public detail::LyapunovBlock<lyapunov_observer_f64screw> {
 public:
     /* Books a sample; writes the observed energy, J. A decrease that is not finite is left out. */
     double observe(const lyapunov_sample_f64screw &sample) noexcept { auto energy = detail::unanswered<double>(); lyapunov_observer_f64screw_observe(&storage, &sample, &energy); return energy; }
@@ -3112,7 +3138,7 @@ public:
 template <class Signal> class EnergyMeter;
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f32)
-template <> class EnergyMeter<float> : public detail::Block<lyapunov_energy_meter_f32> {
+template <> class EnergyMeter<float> : public detail::LyapunovBlock<lyapunov_energy_meter_f32> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32 &sample, const lyapunov_correction_f32 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32_add(&storage, &sample, &correction)); }
@@ -3121,7 +3147,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f64)
-template <> class EnergyMeter<double> : public detail::Block<lyapunov_energy_meter_f64> {
+template <> class EnergyMeter<double> : public detail::LyapunovBlock<lyapunov_energy_meter_f64> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64 &sample, const lyapunov_correction_f64 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64_add(&storage, &sample, &correction)); }
@@ -3130,7 +3156,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f32x3)
-template <> class EnergyMeter<Axes<float, 3>> : public detail::Block<lyapunov_energy_meter_f32x3> {
+template <> class EnergyMeter<Axes<float, 3>> : public detail::LyapunovBlock<lyapunov_energy_meter_f32x3> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x3 &sample, const lyapunov_correction_f32x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x3_add(&storage, &sample, &correction)); }
@@ -3139,7 +3165,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f64x3)
-template <> class EnergyMeter<Axes<double, 3>> : public detail::Block<lyapunov_energy_meter_f64x3> {
+template <> class EnergyMeter<Axes<double, 3>> : public detail::LyapunovBlock<lyapunov_energy_meter_f64x3> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x3 &sample, const lyapunov_correction_f64x3 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x3_add(&storage, &sample, &correction)); }
@@ -3148,7 +3174,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f32x6)
-template <> class EnergyMeter<Axes<float, 6>> : public detail::Block<lyapunov_energy_meter_f32x6> {
+template <> class EnergyMeter<Axes<float, 6>> : public detail::LyapunovBlock<lyapunov_energy_meter_f32x6> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32x6 &sample, const lyapunov_correction_f32x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32x6_add(&storage, &sample, &correction)); }
@@ -3157,7 +3183,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f64x6)
-template <> class EnergyMeter<Axes<double, 6>> : public detail::Block<lyapunov_energy_meter_f64x6> {
+template <> class EnergyMeter<Axes<double, 6>> : public detail::LyapunovBlock<lyapunov_energy_meter_f64x6> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64x6 &sample, const lyapunov_correction_f64x6 &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64x6_add(&storage, &sample, &correction)); }
@@ -3166,7 +3192,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f32screw)
-template <> class EnergyMeter<Screw<float>> : public detail::Block<lyapunov_energy_meter_f32screw> {
+template <> class EnergyMeter<Screw<float>> : public detail::LyapunovBlock<lyapunov_energy_meter_f32screw> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f32screw &sample, const lyapunov_correction_f32screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f32screw_add(&storage, &sample, &correction)); }
@@ -3175,7 +3201,7 @@ public:
 };
 
 LYAPUNOV_BLOCK(lyapunov_energy_meter_f64screw)
-template <> class EnergyMeter<Screw<double>> : public detail::Block<lyapunov_energy_meter_f64screw> {
+template <> class EnergyMeter<Screw<double>> : public detail::LyapunovBlock<lyapunov_energy_meter_f64screw> {
 public:
     /* Adds a tick. A correction whose observed energy or shortfall is not finite, which no block gives, is left out and not counted. */
     Code add(const lyapunov_sample_f64screw &sample, const lyapunov_correction_f64screw &correction) noexcept { return static_cast<Code>(lyapunov_energy_meter_f64screw_add(&storage, &sample, &correction)); }
@@ -3187,5 +3213,7 @@ public:
 #undef LYAPUNOV_ACCOUNT
 
 } // namespace lyapunov
+
+#endif
 
 #endif

@@ -2,7 +2,7 @@
 
 /// Version of the binary interface: one more whenever a struct, a function or the meaning of a block's storage changes. A
 /// function that is only added changes nothing for those who do not call it.
-pub const ABI: u32 = 4;
+pub const ABI: u32 = 5;
 
 /// Tag of the storage called `block` on the signal called `signal`: it tells initialised storage from other bytes, and
 /// one block from another (FNV-1a, with the version of the interface in front).

@@ -4,10 +4,10 @@ use lyapunov::{ParameterError, Requirement, Scalar, Snapshot};
 
 use crate::check;
 use crate::export::form;
-use crate::kept::{Keep, Kind, NumberOf, Storage};
+use crate::kept::{Keep, Kind, Plain, Storage, Whole};
 use crate::port::Port;
 use crate::status::Code;
-use crate::verbs::open;
+use crate::verbs::{look, open};
 
 form! {
     /// End of a line of waves, in C `lyapunov_wave_f64` and kin: what is there, and what travels.
@@ -17,9 +17,9 @@ form! {
         pub flow: V::Form,
         /// The effort, N.
         pub effort: V::Form,
-        /// The wave that travels with the flow, root of W.
+        /// The wave that travels with the flow, root of W: (b v + F) / sqrt(2 b) of an impedance b, a flow v and an effort F.
         pub there: V::Form,
-        /// The wave that comes back, root of W.
+        /// The wave that comes back, root of W: (b v - F) / sqrt(2 b).
         pub back: V::Form,
     }
 }
@@ -57,7 +57,7 @@ impl<B> Snapshot for Fixed<B> {
     }
 }
 
-/// The answer of a block to signals; each of `given` is read first. A call that does nothing gives zeros.
+/// The answer of a block to signals, which it remembers; each of `given` is read first. A call that does nothing gives zeros.
 ///
 /// # Safety
 /// As [`init`](crate::verbs::init).
@@ -68,18 +68,47 @@ pub unsafe fn answer<K: Kind, O: Copy + Default, const N: usize>(
     out: *mut O,
     answer: impl FnOnce(&mut K::Body, [K::Port; N]) -> O,
 ) -> u32 {
+    // SAFETY: as the caller says; the storage is lent after all else was read.
+    unsafe { write(given, out, |given| open(storage)?.kept.lend(|body| answer(body, given))) }
+}
+
+/// The answer of a block without memory, as [`answer`] gives it.
+///
+/// # Safety
+/// As [`init`](crate::verbs::init).
+#[inline(always)]
+pub unsafe fn answer_of<B, K, O: Copy + Default, const N: usize>(
+    storage: *const Storage<K>,
+    given: [<K::Port as Port>::Given; N],
+    out: *mut O,
+    answer: impl FnOnce(&B, [K::Port; N]) -> O,
+) -> u32
+where
+    K: Plain<Body = Fixed<B>, Kept = Whole<Fixed<B>>>,
+{
+    // SAFETY: as the caller says; the storage is looked at after all else was read.
+    unsafe { write(given, out, |given| Ok(answer(&look(storage)?.kept.value().0, given))) }
+}
+
+/// Writes what `answer` makes of signals, or zeros.
+///
+/// # Safety
+/// As [`init`](crate::verbs::init).
+#[inline(always)]
+unsafe fn write<V: Port, O: Copy + Default, const N: usize>(
+    given: [V::Given; N],
+    out: *mut O,
+    answer: impl FnOnce([V; N]) -> Result<O, Code>,
+) -> u32 {
     if let Err(code) = check::pointer(out) {
         return code as u32;
     }
-    let mut addresses = given.into_iter().map(K::Port::address);
-    let sound = addresses.try_for_each(check::address::<NumberOf<K>>);
+    let mut addresses = given.into_iter().map(V::address);
+    let sound = addresses.try_for_each(check::address::<V::Scalar>);
     // SAFETY: each pointer is checked before it is followed, and leads to a variable by the caller's word; all are read
-    // before the storage is lent, and the answer is written after.
+    // before the storage is, and the answer is written after.
     unsafe {
-        let done = sound.and_then(|()| {
-            let signals = given.map(|given| K::Port::read(given));
-            open(storage)?.kept.lend(|body| answer(body, signals))
-        });
+        let done = sound.and_then(|()| answer(given.map(|given| V::read(given))));
         out.write(done.unwrap_or_default());
         done.err().unwrap_or(Code::Ok) as u32
     }

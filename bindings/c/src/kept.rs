@@ -7,6 +7,7 @@ use lyapunov::{ParameterError, Snapshot};
 use crate::flat::{self, Flat};
 use crate::number::Number;
 use crate::port::Port;
+use crate::retuned::Retuned;
 use crate::status::{Code, Status};
 
 /// Kind of block: which value it is, and which parameters make it.
@@ -15,7 +16,7 @@ pub trait Kind: Sized {
     type Port: Port;
 
     /// The parameters, as C gives them.
-    type Parameters: Copy + Flat<WordOf<Self>>;
+    type Parameters: Copy + Flat<WordOf<Self>> + Retuned;
 
     /// The value.
     type Body: Copy + Snapshot<State: Flat<WordOf<Self>>>;
@@ -71,6 +72,7 @@ pub trait Keep<K: Kind>: Copy {
     fn retune(&mut self, parameters: &K::Parameters) -> Result<(), Status> {
         let refused = |error| Status::refused(Code::Parameter, error);
         let state = self.lend(|body| body.state()).map_err(Status::of)?;
+        let parameters = &parameters.retuned();
         let body = K::build(parameters).and_then(|body| body.restored(state)).map_err(refused)?;
         *self = Self::keep(body, parameters);
         Ok(())
@@ -108,6 +110,14 @@ pub unsafe trait Plain: Kind {}
 #[derive(Clone, Copy, Debug)]
 #[repr(transparent)]
 pub struct Whole<B>(B);
+
+impl<B> Whole<B> {
+    /// The value, to be looked at.
+    #[inline(always)]
+    pub(crate) fn value(&self) -> &B {
+        &self.0
+    }
+}
 
 impl<K: Plain> Keep<K> for Whole<K::Body> {
     #[inline(always)]
@@ -149,7 +159,8 @@ where
         let () = Self::FITS;
         let mut words = [WordOf::<K>::default(); N];
         if let Some((front, back)) = words.split_at_mut_checked(Self::PARAMETERS) {
-            flat::put(parameters, front);
+            // The memory has what `init` alone reads, and a block that was retuned is then the same bytes as one that was not.
+            flat::put(&parameters.retuned(), front);
             flat::put(&body.state(), back);
         }
         Self { words, kind: PhantomData }

@@ -28,6 +28,7 @@ mod panic;
 pub mod port;
 pub mod poses;
 pub mod readings;
+pub mod retuned;
 pub mod status;
 pub mod status_text;
 pub mod told;

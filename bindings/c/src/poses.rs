@@ -17,8 +17,8 @@ form! {
     pub struct PoseForm<T> {
         /// Position of the reference point, m.
         pub position: [T; 3],
-        /// Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, unless it is 0, but a change
-        /// of it by orders of magnitude costs digits.
+        /// Orientation as a quaternion: x, y, z, w. Of length near 1: the length is divided out, but a change of it by orders
+        /// of magnitude costs digits. Of length 0 it is no orientation, and the reading is rejected.
         pub quaternion: [T; 4],
     }
 }

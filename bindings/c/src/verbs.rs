@@ -76,6 +76,16 @@ pub(crate) unsafe fn open<'a, K: Kind>(
     unsafe { tagged(storage).map(|()| &mut *storage) }
 }
 
+/// The storage behind a pointer, to be looked at, if it has the tag of its kind.
+///
+/// # Safety
+/// As [`open`].
+#[inline(always)]
+pub(crate) unsafe fn look<'a, K: Kind>(storage: *const Storage<K>) -> Result<&'a Storage<K>, Code> {
+    // SAFETY: as for `open`.
+    unsafe { tagged(storage).map(|()| &*storage) }
+}
+
 /// A copy of what is kept behind a pointer, if it has the tag of its kind.
 ///
 /// # Safety

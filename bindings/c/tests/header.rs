@@ -31,6 +31,15 @@ const FRAME: &str = "
 #define LYAPUNOV_API extern
 #endif
 
+/* A status that nobody looks at is a refusal that nobody hears of. Define it as nothing to do without the warning. */
+#ifndef LYAPUNOV_MUST_LOOK_AT
+#ifdef __GNUC__
+#define LYAPUNOV_MUST_LOOK_AT __attribute__((warn_unused_result))
+#else
+#define LYAPUNOV_MUST_LOOK_AT
+#endif
+#endif
+
 #if defined(__cplusplus)
 #define LYAPUNOV_ASSERT(what, name) static_assert(what, #name)
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L

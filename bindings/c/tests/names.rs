@@ -78,11 +78,11 @@ fn fields_of_other_members_are_named() {
     refused!(tank, of_f64,
         { floor: 0.0 => -1.0, ceiling: 2.0 => NAN, power: 1.0 => -1.0, device_damping: 0.0 => -1.0 } start: 1.0);
     refused!(energy_tank, of_f64, { floor: 0.0 => -1.0, ceiling: 2.0 => NAN, power: 1.0 => -1.0 } start: 1.0);
-    refused!(energy_bounding, of_f64, { damping: 1.0 => -1.0, period: 1e-3 => 0.0 } late: 0);
+    refused!(energy_bounding, of_f64, { damping: 1.0 => 0.0, period: 1e-3 => 0.0 } late: 0);
     refused!(least_norm, of_f64, {
         damping_limit: 1.0 => -1.0, decay: 0.5 => -1.0, device_damping: 0.0 => -1.0, budget: 0.0 => NAN,
     });
-    refused!(slope_bound, of_f64, { slope: 1.0 => -1.0, creep: 0.0 => -1.0 });
+    refused!(slope_bound, of_f64, { slope: 1.0 => 0.0, creep: 0.0 => -1.0 });
     refused!(memory_based, of_f64, { surface: 0.0 => NAN, depth: 1.0 => 0.0 } late: 0);
     refused!(path_memory, of_f64, { surface: 0.0 => NAN, depth: 1.0 => 0.0 });
     refused!(two_port_side, of_f64, { damping_limit: 1.0 => -1.0 });
@@ -97,11 +97,11 @@ fn fields_of_other_members_are_named() {
 
 #[test]
 fn fields_of_readings_are_named() {
-    refused!(readings, of_f64, { period: 1e-3 => 0.0, fastest: 1.0 => -1.0 });
+    refused!(readings, of_f64, { period: 1e-3 => 0.0, fastest: 1.0 => 0.0 });
     refused!(readings_low_passed, of_f64, { cutoff: 30.0 => 0.0 } period: 1e-3, fastest: 1.0);
     refused!(readings_windowed, of_f64, { ticks: 4 => 0, band: 1e-6 => -1.0 } period: 1e-3, fastest: 1.0);
     refused!(readings_of_poses, of_f64screw,
-        { period: 1e-3 => 0.0, fastest_translation: 1.0 => -1.0, fastest_rotation: 1.0 => -1.0 });
+        { period: 1e-3 => 0.0, fastest_translation: 1.0 => 0.0, fastest_rotation: 1.0 => 0.0 });
 }
 
 #[test]

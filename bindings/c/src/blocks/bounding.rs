@@ -4,13 +4,22 @@ use lyapunov::stabilizers::{
     EnergyBounding, EnergyTank, ForceBound, ForceBounding, LeastNorm, MemoryBased, PathMemory,
     SlopeBound, Tank, TankLimits,
 };
-use lyapunov::{Dissipation, PortEnergy};
+use lyapunov::{Dissipation, ParameterError, PortEnergy, Requirement};
 
 use crate::export::blocks;
 use crate::limits::limit;
+use crate::number::Number;
 
 /// Cells of the memories of a way.
 const CELLS: usize = 64;
+
+/// The same limits. A floor above the ceiling is told by itself: on retuning it stands in for the start.
+fn ordered<T: Number>(limits: TankLimits<T>) -> Result<TankLimits<T>, ParameterError> {
+    if limits.floor.above(limits.ceiling) {
+        Requirement::AtMost(limits.ceiling.lane(0)).check("floor", limits.floor)?;
+    }
+    Ok(limits)
+}
 
 blocks! {
     /// Force bounding that keeps what free motion dissipated (ForceBound).
@@ -18,7 +27,7 @@ blocks! {
         "force_bound";
         ForceBound<T>, whole 2 + 0;
         {
-            /// Damping that the device surely has, N.s/m.
+            /// Damping that the device surely has, N.s/m, at least 0.
             damping: T,
         };
         |given| ForceBound::new(given.damping);
@@ -29,7 +38,7 @@ blocks! {
         "force_bounding";
         ForceBounding<T>, whole 2 + 0;
         {
-            /// Damping that the device surely has, N.s/m.
+            /// Damping that the device surely has, N.s/m, at least 0.
             damping: T,
         };
         |given| ForceBounding::of_damping(given.damping);
@@ -40,11 +49,11 @@ blocks! {
         "tank";
         Tank<T, (PortEnergy, Dissipation<T>)>, whole 4 + 0;
         {
-            /// Energy at the start, J.
-            start: T,
-            /// The least energy, J.
+            /// Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not.
+            start: T => floor,
+            /// The least energy, J, at least 0 and at most `ceiling`.
             floor: T,
-            /// The most energy, J; infinity: no limit.
+            /// The most energy, J, at least `floor`; infinity: no limit.
             ceiling: T,
             /// The most power that is drawn, W; infinity: no limit.
             power: T,
@@ -54,7 +63,7 @@ blocks! {
         |given| {
             let (start, floor) = (given.start, given.floor);
             let store = TankLimits { start, floor, ceiling: given.ceiling, power: given.power };
-            Tank::new((PortEnergy, Dissipation::of(given.device_damping)?), store)
+            Tank::new((PortEnergy, Dissipation::of(given.device_damping)?), ordered(store)?)
         };
         [life stabilizer account]
     }
@@ -64,18 +73,19 @@ blocks! {
         "energy_tank";
         EnergyTank<T>, whole 5 + 0;
         {
-            /// Energy at the start, J.
-            start: T,
-            /// The least energy, J.
+            /// Energy at the start, J, from `floor` to `ceiling`. Only init reads it: `retune` does not.
+            start: T => floor,
+            /// The least energy, J, at least 0 and at most `ceiling`.
             floor: T,
-            /// The most energy, J; infinity: no limit.
+            /// The most energy, J, at least `floor`; infinity: no limit.
             ceiling: T,
             /// The most power that is drawn, W; infinity: no limit.
             power: T,
         };
         |given| {
             let (start, floor) = (given.start, given.floor);
-            EnergyTank::new(TankLimits { start, floor, ceiling: given.ceiling, power: given.power })
+            let store = TankLimits { start, floor, ceiling: given.ceiling, power: given.power };
+            EnergyTank::new(ordered(store)?)
         };
         [life drawn]
     }
@@ -84,9 +94,9 @@ blocks! {
         "energy_bounding";
         EnergyBounding<V>, whole 6 + 1;
         {
-            /// Damping that the device surely has, N.s/m.
+            /// Damping that the device surely has, N.s/m, above 0.
             damping: T,
-            /// The period, s.
+            /// The period, s, above 0.
             period: T,
             /// The delay of the force in ticks.
             late: u32,
@@ -107,7 +117,7 @@ blocks! {
             device_damping: T,
             /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
             /// not, and later there is `grant`.
-            budget: T,
+            budget: T => 0.0,
         };
         |given| {
             let candidate = (PortEnergy, Dissipation::of(given.device_damping)?);
@@ -120,7 +130,7 @@ blocks! {
         "slope_bound";
         SlopeBound<V>, words;
         {
-            /// The slope, N/m.
+            /// The slope, N/m, above 0.
             slope: T,
             /// The rate at which withheld force is let through, N/s; 0: none of it.
             creep: T,
@@ -135,7 +145,7 @@ blocks! {
         {
             /// Position of the wall's surface, m.
             surface: T,
-            /// The depth that the cells span, m.
+            /// The depth that the cells span, m, above 0.
             depth: T,
             /// The delay of the force in ticks.
             late: u32,
@@ -150,7 +160,7 @@ blocks! {
         {
             /// Position of the wall's surface, m.
             surface: T,
-            /// The depth that the cells span, m.
+            /// The depth that the cells span, m, above 0.
             depth: T,
         };
         |given| PathMemory::beyond(given.surface, given.depth);

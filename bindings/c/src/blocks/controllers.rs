@@ -17,7 +17,7 @@ blocks! {
             damping_limit: T,
             /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
             /// not, and later there is `grant`.
-            budget: T,
+            budget: T => 0.0,
         };
         |given| Popc::new(PortEnergy, limit(given.damping_limit)?).budgeted(given.budget);
         [life stabilizer account]
@@ -33,7 +33,7 @@ blocks! {
             device_damping: T,
             /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
             /// not, and later there is `grant`.
-            budget: T,
+            budget: T => 0.0,
         };
         |given| {
             let candidate = (PortEnergy, Dissipation::of(given.device_damping)?);

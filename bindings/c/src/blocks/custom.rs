@@ -20,7 +20,7 @@ blocks! {
             damping_limit: T,
             /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
             /// not, and later there is `grant`.
-            budget: T,
+            budget: T => 0.0,
         };
         |given| {
             let told = Told { decrease: 0.0 };
@@ -36,8 +36,8 @@ blocks! {
         {
             /// Largest damping, N.s/m.
             damping_limit: T,
-            /// V in the state in which the loop starts, J; only init reads it, a later `retune` does not.
-            start: T,
+            /// V in the state in which the loop starts, J. Only init reads it: `retune` does not.
+            start: T => 0.0,
         };
         |given| {
             let told = named("start", ToldEnergy::starting(given.start))?;
@@ -59,7 +59,7 @@ blocks! {
             surface: T,
             /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
             /// not, and later there is `grant`.
-            budget: T,
+            budget: T => 0.0,
         };
         |given| {
             let position = Requirement::Finite.check("surface", given.surface)?;

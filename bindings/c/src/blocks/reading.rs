@@ -35,7 +35,7 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit.
+            /// The fastest motion, m/s, above 0; infinity: no limit.
             fastest: T,
         };
         |given| every::<V>(given.period, given.fastest);
@@ -48,7 +48,7 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit.
+            /// The fastest motion, m/s, above 0; infinity: no limit.
             fastest: T,
         };
         |given| Ok(every::<V>(given.period, given.fastest)?.measured());
@@ -61,7 +61,7 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit.
+            /// The fastest motion, m/s, above 0; infinity: no limit.
             fastest: T,
             /// Cutoff of the low pass, Hz.
             cutoff: T,
@@ -76,7 +76,7 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit.
+            /// The fastest motion, m/s, above 0; infinity: no limit.
             fastest: T,
             /// The number of readings, 1 to 16.
             ticks: u32,
@@ -93,7 +93,7 @@ blocks! {
         {
             /// The period that is meant, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit. Over less than a period a jump
+            /// The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump
             /// counts as one over a whole period, so that the velocity may be above it.
             fastest: T,
         };
@@ -107,7 +107,7 @@ blocks! {
         {
             /// The period that is meant, s.
             period: T,
-            /// The fastest motion, m/s; infinity: no limit. Over less than a period a jump
+            /// The fastest motion, m/s, above 0; infinity: no limit. Over less than a period a jump
             /// counts as one over a whole period.
             fastest: T,
         };
@@ -122,9 +122,9 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            /// The fastest motion of the reference point, m/s, above 0; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit.
+            /// The fastest rotation, rad/s, above 0; infinity: no limit.
             fastest_rotation: T,
         };
         |given| poses(given.period, given.fastest_translation, given.fastest_rotation);
@@ -137,9 +137,9 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            /// The fastest motion of the reference point, m/s, above 0; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit.
+            /// The fastest rotation, rad/s, above 0; infinity: no limit.
             fastest_rotation: T,
         };
         |given| {
@@ -155,9 +155,9 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            /// The fastest motion of the reference point, m/s, above 0; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit.
+            /// The fastest rotation, rad/s, above 0; infinity: no limit.
             fastest_rotation: T,
             /// Cutoff of the low pass, Hz.
             cutoff: T,
@@ -175,9 +175,9 @@ blocks! {
         {
             /// The period, s.
             period: T,
-            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            /// The fastest motion of the reference point, m/s, above 0; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit.
+            /// The fastest rotation, rad/s, above 0; infinity: no limit.
             fastest_rotation: T,
             /// The number of readings, 1 to 16.
             ticks: u32,
@@ -197,9 +197,9 @@ blocks! {
         {
             /// The period that is meant, s.
             period: T,
-            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            /// The fastest motion of the reference point, m/s, above 0; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump
+            /// The fastest rotation, rad/s, above 0; infinity: no limit. Over less than a period a jump
             /// counts as one over a whole period, so that the twist may be above it.
             fastest_rotation: T,
         };
@@ -216,9 +216,9 @@ blocks! {
         {
             /// The period that is meant, s.
             period: T,
-            /// The fastest motion of the reference point, m/s; infinity: no limit.
+            /// The fastest motion of the reference point, m/s, above 0; infinity: no limit.
             fastest_translation: T,
-            /// The fastest rotation, rad/s; infinity: no limit. Over less than a period a jump
+            /// The fastest rotation, rad/s, above 0; infinity: no limit. Over less than a period a jump
             /// counts as one over a whole period.
             fastest_rotation: T,
         };

@@ -345,7 +345,7 @@ blocks! {
             rotation_damping: T,
             /// Energy stored in the loop at the start, which may come back, J; usually 0. Only init reads it: `retune` does
             /// not, and later there is `grant`.
-            budget: T,
+            budget: T => 0.0,
         };
         |given| {
             let damping = |field, damping| named(field, Dissipation::of(damping));

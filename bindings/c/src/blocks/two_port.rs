@@ -7,7 +7,10 @@ use crate::limits::limit;
 use crate::named::named;
 
 blocks! {
-    /// Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came.
+    /// Side of a two-port (TwoPortSide): send `absorbed` to the other side on every tick, and give `receive` what came. Where force comes
+    /// in and motion goes out, as at a slave, `velocity` of the sample is the measured force (N), `displacement` its impulse (N.s),
+    /// `position` the sum of the impulses, `applied` the velocity that was applied (m/s); efforts in and out are velocities, `alpha` and
+    /// the limit mobilities, m/(N.s). README.md has it as a table.
     two_port_side on every = {
         "two_port_side";
         TwoPortSide<V>, whole 5 + 1;
@@ -18,12 +21,14 @@ blocks! {
         |given| Ok(TwoPortSide::new(limit(given.damping_limit)?));
         [life stabilizer account side]
     }
-    /// Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated).
+    /// Side of a two-port with an admittance, which makes up for the drift of its commanded motion (DriftCompensated). `velocity` of the
+    /// sample is the measured force (N), `displacement` its impulse (N.s), `position` the sum of the impulses, `applied` the velocity
+    /// that was applied (m/s); efforts in and out are velocities, `alpha` is a mobility, m/(N.s). README.md has it as a table.
     drift_compensated on every = {
         "drift_compensated";
         DriftCompensated<TwoPortSide<V>, V>, whole 7 + 2;
         {
-            /// Largest mobility, m/(N.s).
+            /// Largest mobility, m/(N.s), as `damping_limit_..._of_stiffness` gives it; infinity: no limit.
             mobility_limit: T,
             /// The largest speed of compensation on each axis, m/s; infinity: no limit.
             speed: T,
@@ -42,8 +47,8 @@ blocks! {
         "two_layer";
         TwoLayer<T>, whole 7 + 0;
         {
-            /// Energy at the start, J.
-            start: T,
+            /// Energy at the start, J. Only init reads it: `retune` does not, and later there is `grant`.
+            start: T => 0.0,
             /// The share of the tank that is sent on every tick, 0 to 1.
             share: T,
             /// The level that the master fills its tank to, J.

@@ -23,7 +23,7 @@ blocks! {
         "energy_meter";
         Meter<T>, words;
         {
-            /// Nothing to choose: 0.
+            /// Nothing to choose: 0. It is not looked at, since that would be done on every tick.
             reserved: u32,
         };
         |_given| Ok(Meter(EnergyMeter::new()));

@@ -6,8 +6,9 @@ use crate::answered::{Fixed, WaveForm};
 use crate::export::blocks;
 
 blocks! {
-    /// Wave transformation (WaveTransform): waves of a flow and an effort, and the other way round. It has no memory, and what is not
-    /// finite comes out so.
+    /// Wave transformation (WaveTransform): waves of a flow v and an effort F, and the other way round. With the impedance b
+    /// the wave there is (b v + F) / sqrt(2 b), the one back (b v - F) / sqrt(2 b), and the power F v is (there^2 - back^2) / 2. It
+    /// has no memory, and what is not finite comes out so.
     wave_transform on every = {
         "wave_transform";
         Fixed<WaveTransform<T>>, whole 2 + 0;

@@ -49,7 +49,8 @@ impl Header {
                 self.described.iter().filter_map(|it| Some((it.verb(name)?, it))).collect();
             let has = |verb: &&str| verbs.iter().any(|(it, _)| it == verb);
             let account = ACCOUNT.iter().all(has);
-            let (calls, base) = if account { ("ACCOUNT", "Account") } else { ("BLOCK", "Block") };
+            let (calls, base) =
+                if account { ("ACCOUNT", "LyapunovAccount") } else { ("BLOCK", "LyapunovBlock") };
             let signal_name = cpp_signal(signal);
             let _ = writeln!(text, "\nLYAPUNOV_{calls}({name})");
             let _ = writeln!(

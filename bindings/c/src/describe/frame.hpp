@@ -4,12 +4,21 @@
 // library in Rust. Signals are float, double, Axes<T, N> with N = 3 or 6, and Screw<T>; what takes several numbers takes a
 // View of them: an array, std::array, a signal, or an Eigen vector whose numbers lie one after another, as those of a row or
 // a diagonal do not: copy these into a vector. A method with a result has no code to tell: of a block that init has not seen,
-// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, and steps and
-// readings what `accepted` 0 says.
+// observe and summary give NaN (and the summary a count of all ones), save a memory that restore refuses, steps and readings what
+// `accepted` 0 says, and waves and energy tanks 0: as a command that is no effort and no motion.
 //
 // SPDX-License-Identifier: MIT OR Apache-2.0
 #ifndef LYAPUNOV_HPP
 #define LYAPUNOV_HPP
+
+// Each ends here: what follows would only be thousands of errors more.
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#error "lyapunov.hpp needs C++17: compile with -std=c++17, or /std:c++17"
+#elif defined(Status)
+#error "a macro Status, as <X11/Xlib.h> defines it, renames a class here: include lyapunov.hpp before it, or #undef Status"
+#elif defined(read)
+#error "a macro read, as <lwip/sockets.h> defines it, replaces a method here: include lyapunov.hpp before it, or #undef read"
+#else
 
 #include <array>
 #include <cstddef>
@@ -18,6 +27,9 @@
 #include <memory>
 #include <type_traits>
 #include <utility>
+#if __cplusplus > 201703L && __has_include(<span>)
+#include <span>
+#endif
 
 #include "lyapunov.h"
 
@@ -60,7 +72,7 @@ enum class Code : lyapunov_code {
 };
 
 // What became of a call that may be refused; true if it was done.
-class Status {
+class [[nodiscard]] Status {
 public:
     explicit Status(const lyapunov_status &status) noexcept : status_(status) {}
     explicit operator bool() const noexcept { return status_.code == LYAPUNOV_OK; }
@@ -82,6 +94,11 @@ template <class T, std::size_t N> class View {
 public:
     View(const T (&numbers)[N]) noexcept : numbers_(numbers) {}
     View(const std::array<T, N> &numbers) noexcept : numbers_(numbers.data()) {}
+#ifdef __cpp_lib_span
+    // Of a fixed number: of another one it would not be known whether there are as many.
+    template <class Same, class = std::enable_if_t<std::is_same<std::remove_const_t<Same>, T>::value>>
+    View(std::span<Same, N> numbers) noexcept : numbers_(numbers.data()) {}
+#endif
     View(const Axes<T, N> &axes) noexcept : numbers_(axes.axis) {}
     // A twist or wrench is three numbers of translation and three of rotation, one after another.
     template <std::size_t Six = N, class = std::enable_if_t<Six == 6>>
@@ -129,6 +146,7 @@ template <class Function> void *address(Function &function) noexcept
     return const_cast<void *>(static_cast<const void *>(std::addressof(function)));
 }
 
+// An exception does not cross C: one that leaves the candidate ends the program (std::terminate).
 template <class Function, class T, class Sample> T call(void *function, const Sample *sample) noexcept
 {
     return (*static_cast<Function *>(function))(*sample);
@@ -227,16 +245,17 @@ template <class Storage> struct Calls;
         static auto restore(name *storage, const Memory *memory) { return name##_restore(storage, memory); }                     \
     };
 
-// What every block has, beside verbs of its own.
-template <class Storage> class Block {
+// What every block has, beside verbs of its own. A class of the user's that is derived from a block finds names of its bases before those
+// around it: hence long ones, and no alias.
+template <class Storage> class LyapunovBlock {
 public:
     using Parameters = typename Calls<Storage>::Parameters;
     using Memory = typename Calls<Storage>::Memory;
     /* Makes the block of parameters that fit together. */
     Status init(const Parameters &parameters) noexcept
     {
-        static_assert(sizeof(Block) == sizeof(Storage) && std::is_standard_layout<Block>::value &&
-                          std::is_trivially_copyable<Block>::value,
+        static_assert(sizeof(LyapunovBlock) == sizeof(Storage) && std::is_standard_layout<LyapunovBlock>::value &&
+                          std::is_trivially_copyable<LyapunovBlock>::value,
                       "a block is its storage");
         return Status(Calls<Storage>::init(&storage, &parameters));
     }
@@ -253,11 +272,11 @@ public:
     /* Puts a stored memory in place of the own one. A refused one changes nothing. */
     Status restore(const Memory &memory) noexcept { return Status(Calls<Storage>::restore(&storage, &memory)); }
     /* The same bytes: the same block in the same state. */
-    friend bool operator==(const Block &a, const Block &b) noexcept
+    friend bool operator==(const LyapunovBlock &a, const LyapunovBlock &b) noexcept
     {
         return std::memcmp(&a.storage, &b.storage, sizeof a.storage) == 0;
     }
-    friend bool operator!=(const Block &a, const Block &b) noexcept { return !(a == b); }
+    friend bool operator!=(const LyapunovBlock &a, const LyapunovBlock &b) noexcept { return !(a == b); }
     Storage storage{};
 };
 
@@ -274,18 +293,25 @@ template <class Storage> struct AccountCalls;
     };
 
 // What a block with an account has, beside verbs of its own.
-template <class Storage> class Account : public Block<Storage> {
-    using Number = typename AccountCalls<Storage>::Number;
-
+template <class Storage> class LyapunovAccount : public LyapunovBlock<Storage> {
 public:
     /* The observed energy, J; NaN if the storage is not initialised. */
-    Number observed_energy() const noexcept { return AccountCalls<Storage>::observed_energy(&this->storage); }
+    typename AccountCalls<Storage>::Number observed_energy() const noexcept
+    {
+        return AccountCalls<Storage>::observed_energy(&this->storage);
+    }
     /* Sets the observed energy to 0: credit is forfeited, a debt forgiven. */
     Code reset() noexcept { return static_cast<Code>(AccountCalls<Storage>::reset(&this->storage)); }
     /* Adds as many joules of credit that were not absorbed. */
-    Status grant(Number energy) noexcept { return Status(AccountCalls<Storage>::grant(&this->storage, energy)); }
+    Status grant(typename AccountCalls<Storage>::Number energy) noexcept
+    {
+        return Status(AccountCalls<Storage>::grant(&this->storage, energy));
+    }
     /* Adds a debt of as many joules. */
-    Status owe(Number debt) noexcept { return Status(AccountCalls<Storage>::owe(&this->storage, debt)); }
+    Status owe(typename AccountCalls<Storage>::Number debt) noexcept
+    {
+        return Status(AccountCalls<Storage>::owe(&this->storage, debt));
+    }
 };
 
 } // namespace detail
@@ -305,5 +331,7 @@ template <class Form> auto eigen(const Form &axes) noexcept
 #undef LYAPUNOV_ACCOUNT
 
 } // namespace lyapunov
+
+#endif
 
 #endif

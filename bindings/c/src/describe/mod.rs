@@ -94,7 +94,8 @@ impl Header {
         let list: Vec<_> =
             arguments.iter().map(|(name, c)| format!("{c}{}{name}", gap(c))).collect();
         let list = if list.is_empty() { "void".to_string() } else { list.join(", ") };
-        let declared = format!("{returned}{}{name}({list})", gap(&returned));
+        let looked_at = if returned == "lyapunov_status" { "LYAPUNOV_MUST_LOOK_AT " } else { "" };
+        let declared = format!("{looked_at}{returned}{}{name}({list})", gap(&returned));
         let _ = writeln!(self.text, "LYAPUNOV_API {declared};");
         let about: Vec<_> = about.iter().map(|line| line.trim()).collect();
         self.described.push(Function {

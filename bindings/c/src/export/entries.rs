@@ -1,7 +1,8 @@
 //! Entries of blocks, on all signals that they are for.
 
 /// Blocks, an entry for each: a name, the signals, the value and how it is kept, its parameters, how it is made of them, and
-/// the groups of functions. `V` is the signal, `T` its number, `Form` the signal as C has it.
+/// the groups of functions. `V` is the signal, `T` its number, `Form` the signal as C has it. A parameter that `init` alone reads
+/// has behind `=>` what `retune` reads in its place.
 macro_rules! blocks {
     ($(
         $(#[doc = $doc:literal])+

@@ -45,7 +45,7 @@ macro_rules! block_on {
         $(#[doc = $doc:literal])+
         $name:literal;
         $value:ty, $keep:ident $($numbers:literal + $per_axis:tt)?;
-        { $($(#[doc = $told:literal])+ $field:ident: $type:ty,)* };
+        { $($(#[doc = $told:literal])+ $field:ident: $type:ty $(=> $retuned:tt)?,)* };
         |$given:ident| $build:expr;
         [$($verbs:ident)*]
     ) => {
@@ -86,6 +86,12 @@ macro_rules! block_on {
 
                 fn take(from: &mut impl FnMut() -> Word) -> Self {
                     Self { $($field: <$type as Flat<Word>>::take(from),)* }
+                }
+            }
+
+            impl $crate::retuned::Retuned for Parameters {
+                fn retuned(&self) -> Self {
+                    Self { $($field: $crate::retuned::retuned!(self $field $($retuned)?),)* }
                 }
             }
 

@@ -208,7 +208,9 @@ macro_rules! verbs {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::told_by(storage, |body| body.absorbed()) }
             }
-            /// What the other side said it absorbed, J. Packets may come late, twice or not at all.
+            /// What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above
+            /// the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets
+            /// before, by a checksum.
             fn receive(storage: *mut Storage<Block>, energy: T) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::change(storage, |body| body.receive(energy)) }
@@ -222,7 +224,9 @@ macro_rules! verbs {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::told_by(storage, |body| body.sent()) }
             }
-            /// What the other side said it sent, J. Packets may come late, twice or not at all.
+            /// What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above
+            /// the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets
+            /// before, by a checksum.
             fn receive(storage: *mut Storage<Block>, energy: T) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::change(storage, |body| body.receive(energy)) }
@@ -232,36 +236,36 @@ macro_rules! verbs {
     (wave, $name:literal, $signal:literal) => {
         $crate::export::exported! { $name, $signal, describe;
             /// The waves of a flow and an effort.
-            fn encode(storage: *mut Storage<Block>, flow: <V as Port>::Given, effort: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+            fn encode(storage: *const Storage<Block>, flow: <V as Port>::Given, effort: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
                 // SAFETY: as the caller says.
-                unsafe { $crate::answered::answer(storage, [flow, effort], wave, |body, [flow, effort]| WaveForm::of(flow, effort, body.0.encode(flow, effort))) }
+                unsafe { $crate::answered::answer_of(storage, [flow, effort], wave, |wave, [flow, effort]| WaveForm::of(flow, effort, wave.encode(flow, effort))) }
             }
             /// The flow and the effort of the waves there and back.
-            fn decode(storage: *mut Storage<Block>, there: <V as Port>::Given, back: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+            fn decode(storage: *const Storage<Block>, there: <V as Port>::Given, back: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe {
-                    $crate::answered::answer(storage, [there, back], wave, |body, [there, back]| {
-                        let (flow, effort) = body.0.decode(there, back);
+                    $crate::answered::answer_of(storage, [there, back], wave, |wave, [there, back]| {
+                        let (flow, effort) = wave.decode(there, back);
                         WaveForm::of(flow, effort, (there, back))
                     })
                 }
             }
             /// The effort where the flow is known and the wave `back` came in, and the wave that goes there.
-            fn effort(storage: *mut Storage<Block>, flow: <V as Port>::Given, back: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+            fn effort(storage: *const Storage<Block>, flow: <V as Port>::Given, back: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe {
-                    $crate::answered::answer(storage, [flow, back], wave, |body, [flow, back]| {
-                        let (effort, there) = body.0.effort(flow, back);
+                    $crate::answered::answer_of(storage, [flow, back], wave, |wave, [flow, back]| {
+                        let (effort, there) = wave.effort(flow, back);
                         WaveForm::of(flow, effort, (there, back))
                     })
                 }
             }
             /// The flow where the effort is known and the wave `there` came in, and the wave that goes back.
-            fn flow(storage: *mut Storage<Block>, effort: <V as Port>::Given, there: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+            fn flow(storage: *const Storage<Block>, effort: <V as Port>::Given, there: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe {
-                    $crate::answered::answer(storage, [effort, there], wave, |body, [effort, there]| {
-                        let (flow, back) = body.0.flow(effort, there);
+                    $crate::answered::answer_of(storage, [effort, there], wave, |wave, [effort, there]| {
+                        let (flow, back) = wave.flow(effort, there);
                         WaveForm::of(flow, effort, (there, back))
                     })
                 }
@@ -281,11 +285,11 @@ macro_rules! verbs {
         $crate::export::exported! { $name, $signal, describe;
             /// The answer to the wave `there`, at the error of the spring (commanded position minus the slave's), m, and the slave's
             /// velocity, m/s: the flow that is commanded, the effort on the slave, and the wave that goes back.
-            fn follow(storage: *mut Storage<Block>, there: <V as Port>::Given, error: <V as Port>::Given, velocity: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
+            fn follow(storage: *const Storage<Block>, there: <V as Port>::Given, error: <V as Port>::Given, velocity: <V as Port>::Given, wave: *mut WaveForm<V>) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe {
-                    $crate::answered::answer(storage, [there, error, velocity], wave, |body, [there, error, velocity]| {
-                        let following = body.0.follow(there, error, velocity);
+                    $crate::answered::answer_of(storage, [there, error, velocity], wave, |follower, [there, error, velocity]| {
+                        let following = follower.follow(there, error, velocity);
                         WaveForm::of(following.flow, following.effort, (there, following.back))
                     })
                 }

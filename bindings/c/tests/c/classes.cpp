@@ -51,6 +51,13 @@ void views()
     expect(is_one_two_three(array), "an array");
     expect(is_one_two_three(standard), "a std::array");
     expect(is_one_two_three(axes), "axes");
+#ifdef __cpp_lib_span
+    std::array<double, 3> own = standard;
+    expect(is_one_two_three(std::span<const double, 3>(standard)), "a span");
+    expect(is_one_two_three(std::span<double, 3>(own)), "a span of what may be written");
+    expect(is_one_two_three(std::span<const double>(numbers).first<3>()), "the first three of a span");
+    static_assert(!std::is_convertible<std::span<const double>, lyapunov::View<double, 3>>::value, "of any number");
+#endif
     expect(is_one_two_three(Numbers<1>{ numbers }), "a vector");
 #if REFUSED == 1
     expect(is_one_two_three(Numbers<2>{ numbers }), "a row");
@@ -136,7 +143,31 @@ void never_initialised()
     expect(sound.restore(memory).code() == lyapunov::Code::Memory && sound == before, "a memory that restore refuses");
     expect(std::isnan(lyapunov::Observer<float>{}.observe({ 1e-3f, 0, 0.1f, 1e-4f, -2, -2e-4f })), "NaN of observe");
     expect(std::isnan(summary.least) && std::isnan(summary.absorbed) && summary.ticks == UINT64_MAX, "NaN of summary");
+    const auto wave = lyapunov::WaveTransform<double>{}.encode(0.5, 3.0);
+    const bool still = std::fabs(wave.flow) + std::fabs(wave.effort) + std::fabs(wave.there) + std::fabs(wave.back) <= 0.0;
+    expect(still && std::fabs(lyapunov::EnergyTank<double>{}.pass(1e-3, 1.0, 1.0, -1.0)) <= 0.0, "0 of waves and of a tank");
     expect(std::isnan(sound.observed_energy()) == false, "a number of what is initialised");
+}
+
+// What has no memory is asked as it stands.
+double reflected(const lyapunov::WaveTransform<double> &transform, const lyapunov::WaveFollower<double> &follower)
+{
+    const auto sent = transform.encode(0.5, 3.0);
+    const auto told = transform.decode(sent.there, sent.back);
+    const auto pushed = transform.effort(told.flow, sent.back), moved = transform.flow(told.effort, sent.there);
+    return follower.follow(pushed.there, 0.0, 0.0).back + moved.back - sent.back;
+}
+
+void waves()
+{
+    lyapunov::WaveTransform<double> transform;
+    lyapunov::WaveFollower<double> follower;
+    expect(bool(transform.init({2.0})) && bool(follower.init({2.0, 0.0, 2.0})), "initialised");
+    // A matched slave reflects nothing.
+    expect(std::fabs(reflected(transform, follower)) < 1e-12, "the wave that came back");
+#if REFUSED == 8
+    transform.init({-2.0});
+#endif
 }
 
 // A block is its storage, whatever its verbs: as large, and copied byte by byte.
@@ -155,6 +186,25 @@ static_assert(is_on_every_signal<lyapunov::Popc>() && is_on_every_signal<lyapuno
 static_assert(is_on_every_signal<lyapunov::Readings>() && is_on_every_signal<lyapunov::EnergyMeter>(), "of an observer");
 static_assert(is_on_every_signal<lyapunov::TwoLayer>() && is_on_every_signal<lyapunov::WaveFilter>(), "of a line");
 
+// In a class that is derived from a block, names are those around it.
+namespace derived {
+using namespace lyapunov;
+struct Block {
+    int own;
+};
+struct Account {
+    int own;
+};
+struct Mine : Popc<double> {
+    Number<double> gain{};
+    Block block{};
+    Account account{};
+};
+static_assert(std::is_same<decltype(Mine::gain), double>::value, "a number");
+static_assert(std::is_same<decltype(Mine::block), derived::Block>::value, "the block around it");
+static_assert(std::is_same<decltype(Mine::account), derived::Account>::value, "the account around it");
+} // namespace derived
+
 } // namespace
 
 int main()
@@ -164,6 +214,7 @@ int main()
     views_of_eigen();
 #endif
     candidates();
+    waves();
     never_initialised();
     std::printf("%s\n", failures == 0 ? "classes: as they should" : "classes: FAILED");
     return failures == 0 ? 0 : 1;
