@@ -13462,16 +13462,16 @@ typedef struct lyapunov_slope_bound_f32 {
     /* Set by init: 0x57ed6294. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[6];
+    uint32_t kept[5];
 } lyapunov_slope_bound_f32;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32) == 28, lyapunov_slope_bound_f32_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32) == 24, lyapunov_slope_bound_f32_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32, tag) == 0, lyapunov_slope_bound_f32_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32, kept) == 4, lyapunov_slope_bound_f32_kept);
 typedef struct lyapunov_slope_bound_f32_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[4];
+    uint32_t word[3];
 } lyapunov_slope_bound_f32_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32_memory) == 16, lyapunov_slope_bound_f32_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32_memory) == 12, lyapunov_slope_bound_f32_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32_memory, word) == 0, lyapunov_slope_bound_f32_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -13510,16 +13510,16 @@ typedef struct lyapunov_slope_bound_f64 {
     /* Set by init: 0x53fa283b. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[6];
+    uint64_t kept[5];
 } lyapunov_slope_bound_f64;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64) == 56, lyapunov_slope_bound_f64_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64) == 48, lyapunov_slope_bound_f64_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64, tag) == 0, lyapunov_slope_bound_f64_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64, kept) == 8, lyapunov_slope_bound_f64_kept);
 typedef struct lyapunov_slope_bound_f64_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[4];
+    uint64_t word[3];
 } lyapunov_slope_bound_f64_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64_memory) == 32, lyapunov_slope_bound_f64_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64_memory) == 24, lyapunov_slope_bound_f64_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64_memory, word) == 0, lyapunov_slope_bound_f64_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -13558,16 +13558,16 @@ typedef struct lyapunov_slope_bound_f32x3 {
     /* Set by init: 0x325a5b15. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[10];
+    uint32_t kept[9];
 } lyapunov_slope_bound_f32x3;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x3) == 44, lyapunov_slope_bound_f32x3_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x3) == 40, lyapunov_slope_bound_f32x3_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x3, tag) == 0, lyapunov_slope_bound_f32x3_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x3, kept) == 4, lyapunov_slope_bound_f32x3_kept);
 typedef struct lyapunov_slope_bound_f32x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[8];
+    uint32_t word[7];
 } lyapunov_slope_bound_f32x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x3_memory) == 32, lyapunov_slope_bound_f32x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x3_memory) == 28, lyapunov_slope_bound_f32x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x3_memory, word) == 0, lyapunov_slope_bound_f32x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -13606,16 +13606,16 @@ typedef struct lyapunov_slope_bound_f64x3 {
     /* Set by init: 0x3c50277e. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[10];
+    uint64_t kept[9];
 } lyapunov_slope_bound_f64x3;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x3) == 88, lyapunov_slope_bound_f64x3_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x3) == 80, lyapunov_slope_bound_f64x3_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x3, tag) == 0, lyapunov_slope_bound_f64x3_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x3, kept) == 8, lyapunov_slope_bound_f64x3_kept);
 typedef struct lyapunov_slope_bound_f64x3_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[8];
+    uint64_t word[7];
 } lyapunov_slope_bound_f64x3_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x3_memory) == 64, lyapunov_slope_bound_f64x3_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x3_memory) == 56, lyapunov_slope_bound_f64x3_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x3_memory, word) == 0, lyapunov_slope_bound_f64x3_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -13654,16 +13654,16 @@ typedef struct lyapunov_slope_bound_f32x6 {
     /* Set by init: 0x2d5a5336. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[16];
+    uint32_t kept[15];
 } lyapunov_slope_bound_f32x6;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x6) == 68, lyapunov_slope_bound_f32x6_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x6) == 64, lyapunov_slope_bound_f32x6_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x6, tag) == 0, lyapunov_slope_bound_f32x6_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x6, kept) == 4, lyapunov_slope_bound_f32x6_kept);
 typedef struct lyapunov_slope_bound_f32x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[14];
+    uint32_t word[13];
 } lyapunov_slope_bound_f32x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x6_memory) == 56, lyapunov_slope_bound_f32x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32x6_memory) == 52, lyapunov_slope_bound_f32x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32x6_memory, word) == 0, lyapunov_slope_bound_f32x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -13702,16 +13702,16 @@ typedef struct lyapunov_slope_bound_f64x6 {
     /* Set by init: 0x41502f5d. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[16];
+    uint64_t kept[15];
 } lyapunov_slope_bound_f64x6;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x6) == 136, lyapunov_slope_bound_f64x6_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x6) == 128, lyapunov_slope_bound_f64x6_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x6, tag) == 0, lyapunov_slope_bound_f64x6_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x6, kept) == 8, lyapunov_slope_bound_f64x6_kept);
 typedef struct lyapunov_slope_bound_f64x6_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[14];
+    uint64_t word[13];
 } lyapunov_slope_bound_f64x6_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x6_memory) == 112, lyapunov_slope_bound_f64x6_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64x6_memory) == 104, lyapunov_slope_bound_f64x6_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64x6_memory, word) == 0, lyapunov_slope_bound_f64x6_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -13750,16 +13750,16 @@ typedef struct lyapunov_slope_bound_f32screw {
     /* Set by init: 0x4c007b58. Storage is copied as any struct and compared by memcmp. */
     uint32_t tag;
     /* The library's own. */
-    uint32_t kept[16];
+    uint32_t kept[15];
 } lyapunov_slope_bound_f32screw;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32screw) == 68, lyapunov_slope_bound_f32screw_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32screw) == 64, lyapunov_slope_bound_f32screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32screw, tag) == 0, lyapunov_slope_bound_f32screw_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32screw, kept) == 4, lyapunov_slope_bound_f32screw_kept);
 typedef struct lyapunov_slope_bound_f32screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint32_t word[14];
+    uint32_t word[13];
 } lyapunov_slope_bound_f32screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32screw_memory) == 56, lyapunov_slope_bound_f32screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f32screw_memory) == 52, lyapunov_slope_bound_f32screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f32screw_memory, word) == 0, lyapunov_slope_bound_f32screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
@@ -13798,16 +13798,16 @@ typedef struct lyapunov_slope_bound_f64screw {
     /* Set by init: 0x707be969. Storage is copied as any struct and compared by memcmp. */
     uint64_t tag;
     /* The library's own. */
-    uint64_t kept[16];
+    uint64_t kept[15];
 } lyapunov_slope_bound_f64screw;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64screw) == 136, lyapunov_slope_bound_f64screw_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64screw) == 128, lyapunov_slope_bound_f64screw_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64screw, tag) == 0, lyapunov_slope_bound_f64screw_tag);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64screw, kept) == 8, lyapunov_slope_bound_f64screw_kept);
 typedef struct lyapunov_slope_bound_f64screw_memory {
     /* The memory without the parameters, to be stored. */
-    uint64_t word[14];
+    uint64_t word[13];
 } lyapunov_slope_bound_f64screw_memory;
-LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64screw_memory) == 112, lyapunov_slope_bound_f64screw_memory_size);
+LYAPUNOV_ASSERT(sizeof(lyapunov_slope_bound_f64screw_memory) == 104, lyapunov_slope_bound_f64screw_memory_size);
 LYAPUNOV_ASSERT(offsetof(lyapunov_slope_bound_f64screw_memory, word) == 0, lyapunov_slope_bound_f64screw_memory_word);
 /* Makes the block of parameters that fit together. Called through the macro without `_abi`, which tells the
    version of the header. */
