@@ -244,7 +244,7 @@ fn slope_bound() -> Vec<Path<Truth>> {
         let two = Of::of(2.0);
         assume(at_least(two * slope * energy, force * force));
         let bound = SlopeBound::<Of>::new(slope).expect("a slope");
-        let mut bound = bound.restored((Some(asked), held, zero())).expect("a memory");
+        let mut bound = bound.restored((asked, held, zero())).expect("a memory");
         let told = paths::step(|| {
             bound.stabilize(&tick(period, force, moved, "tick").sample(), spring * position)
         });
