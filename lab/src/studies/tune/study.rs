@@ -202,7 +202,7 @@ impl Tuning {
         let mut costs = costs?.into_iter().flatten();
         let trial = |told: &Option<Scene>| match told {
             Some(_) => Trial::of(costs.by_ref().take(runs as usize).collect()),
-            None => Trial::refused(runs),
+            None => Trial::refused(runs as usize),
         };
         Ok(told.iter().map(trial).collect())
     }
@@ -249,6 +249,14 @@ impl Tuned {
         }
         best
     }
+
+    /// The others of `all` whose judged runs are not worse than this one's by more than chance explains.
+    pub(super) fn level(&self, all: &[Self]) -> Vec<StabilizerName> {
+        let others = all.iter().filter(|other| other.name != self.name);
+        let level =
+            |other: &&Self| Change::between(&self.judged[1], &other.judged[1]) != Change::Worse;
+        others.filter(level).map(|other| other.name).collect()
+    }
 }
 
 /// Comparison of a tuned setting with the scene's, on the runs that tuning never saw.
@@ -288,12 +296,13 @@ impl Change {
 
 #[cfg(test)]
 mod tests {
+    use super::super::trial::Outcome;
     use super::*;
 
     /// A trial of runs at `costs`, and of more of them that grow.
     fn trial(costs: &[f64], grow: usize) -> Trial {
-        let bounded = costs.iter().copied().map(Some);
-        Trial::of(bounded.chain(std::iter::repeat_n(None, grow)).collect())
+        let bounded = costs.iter().copied().map(Outcome::Settles);
+        Trial::of(bounded.chain(std::iter::repeat_n(Outcome::Grows, grow)).collect())
     }
 
     #[test]
