@@ -1,7 +1,8 @@
-//! Hint of two lines under a run that grows.
+//! Hint under a run: the reason of one that grows, a remark on one that starts in balance.
 
 use std::fmt;
 
+use crate::files::Scene;
 use crate::measure::{Limits, LinearPart, Summary, Verdict};
 use crate::text::{found, given};
 
@@ -9,7 +10,12 @@ use crate::text::{found, given};
 pub(super) const LEFT: &str =
     "the first force or way leaves the range of the numbers: a value is far too large";
 
-/// The reason why a run grows: its `Display` gives it in two lines, and nothing for another run.
+/// The reason where nothing acts beside a linear loop that is stable.
+pub(super) const TRANSIENT: &str =
+    "the loop is linear and stable: the growth is a beat or a transient; run longer";
+
+/// The reason why a run grows: its `Display` gives it in two lines. Under a run that starts in balance and stays there it is a
+/// remark on that, and under another run nothing.
 #[derive(Clone, Debug)]
 pub struct Hint<'a>(&'a Summary);
 
@@ -33,6 +39,9 @@ impl<'a> Hint<'a> {
         let Ok(part) = LinearPart::of(&self.0.scene) else {
             return "no formula applies to this loop".to_owned();
         };
+        if self.0.left_range().is_none() && is_transient(&self.0.scene) {
+            return TRANSIENT.to_owned();
+        }
         let own = part.environment.stiffness;
         match part.stable_stiffness() {
             _ if own < 0.0 && part.spectral_radius() >= 1.0 => {
@@ -81,6 +90,11 @@ impl fmt::Display for Hint<'_> {
             "               `lyapunov explain` says where the energy came from and what helps"
         )
     }
+}
+
+/// Whether a loop is all linear and stable, so that whatever grows in its run decays in a longer one.
+pub(super) fn is_transient(scene: &Scene) -> bool {
+    LinearPart::of(scene).is_ok_and(|part| part.is_all_of(scene) && part.spectral_radius() < 1.0)
 }
 
 /// The limits that the scene's own stiffness breaks: key, name, limit, and own stiffness over limit.
