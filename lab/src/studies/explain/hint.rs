@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::files::Scene;
 use crate::measure::{Limits, LinearPart, Summary, Verdict};
-use crate::text::{found, given};
+use crate::text::{folded, found, given, near_one};
 
 /// The reason where a run left the range of the numbers and no force had acted.
 pub(super) const LEFT: &str =
@@ -67,6 +67,25 @@ impl<'a> Hint<'a> {
         }
     }
 
+    /// The remark on a run that starts in balance and never leaves it: it would do so in a loop that is not stable too, and
+    /// what rounding starts may take longer than the run to show.
+    fn undisturbed(&self) -> Option<String> {
+        let Summary { scene, .. } = self.0;
+        let in_balance = self.0.fate.criterion(0).starts_in_balance;
+        if !in_balance || self.0.settling_time() != Some(0.0) {
+            return None;
+        }
+        let radius = LinearPart::of(scene).ok().map(|part| part.spectral_radius());
+        let radius = radius.filter(|radius| *radius > 1.0 && scene.stabilizer.is_none());
+        let linear = radius.map_or_else(String::new, |radius| {
+            format!(", and its linear loop is not stable: spectral radius {}", near_one(radius, 8))
+        });
+        Some(format!(
+            "the run starts in balance and nothing takes it out of its band, so the verdict says nothing about the \
+             loop{linear}; start it elsewhere"
+        ))
+    }
+
     /// The debt that a cap below the default left, beside which the stiffness explains little.
     fn unpaid(&self) -> Option<String> {
         let Summary { scene, shortfall, .. } = self.0;
@@ -82,7 +101,8 @@ impl<'a> Hint<'a> {
 impl fmt::Display for Hint<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.0.verdict() != Verdict::Grows {
-            return Ok(());
+            let note = self.undisturbed().map(|note| folded("  note         ", &note));
+            return note.map_or(Ok(()), |note| writeln!(f, "{note}"));
         }
         writeln!(f, "  why          {}", self.reason())?;
         writeln!(
