@@ -82,6 +82,7 @@ fn runs_that_are_too_short_and_runs_that_never_settle_are_told() {
     assert_eq!(count("bounded") + count("too_short"), count("runs"));
     assert!(count("too_short") > 0 && count("settle") <= count("bounded"));
     let hand = "operator = { mass = 0.1, damping = 2, stiffness = 200, rest = 0.01 }\n";
+    let scene = scene.replace("damping = 0.5", "damping = 0.1").replace("500", "1000");
     place.put("stuck.toml", format!("duration = 4\n{hand}{scene}effects.friction.coulomb = 0.5\n"));
     let stuck = ["tune", "stuck.toml", "--stabilizers", "popc", "--trials", "2", "--runs", "2"];
     place.run(stuck).ended(0, &["no judged run settles", "--objective"]);

@@ -343,7 +343,7 @@ mod tests {
             let random = scene(&format!(
                 "effects.noise = {{ deviation = 1e-6, seed = {of_scene} }}\n\
                  effects.jitter = {{ deviation = 0.01, seed = {of_scene} }}\n\
-                 effects.dropout = {{ probability = 0.1, seed = {of_scene} }}\n"
+                 effects.dropout = {{ probability = 0.1, policy = \"hold\", seed = {of_scene} }}\n"
             ));
             for seed in [1, 2] {
                 let ensemble = Ensemble { seed, moves: Moves::NONE };
