@@ -21,7 +21,7 @@ const RESULTS: &str = "tune.json";
 ///
 /// Each stabilizer gets the same number of runs. A setting is judged by its mean cost over an ensemble: scenes with the
 /// clock's phase, masses, dampings and stiffnesses moved. One with which every run stays bounded is always preferred.
-/// Default and tuned setting are then judged on a second ensemble, which the search never saw. Prints both, and the scene
+/// Default and tuned setting are then judged on members that the search never saw. Prints both, and the scene
 /// with the best stabilizer, ready to run. docs/tune.md defines the terms.
 ///
 /// Exit status: 0 done, 1 internal error, 2 bad input, 130 interrupted.
@@ -44,7 +44,7 @@ pub(crate) struct Tune {
     #[arg(long, default_value_t = Tuning::default().runs, value_name = "N",
         value_parser = clap::value_parser!(u32).range(2..=100_000))]
     runs: u32,
-    /// Seed of the ensembles.
+    /// Seed of the ensemble.
     #[arg(long, default_value_t = Tuning::default().seed, value_name = "N")]
     seed: u64,
     /// Write report.html, tune.json, tune.csv, a plot (SVG and PNG) and a scene for each stabilizer into this folder; made if not there.

@@ -167,3 +167,24 @@ fn forces_and_energy_in_space_are_those_of_all_axes() {
     );
     assert!(abs_diff_eq!(told("peak force"), peak, epsilon = 1e-3 * peak), "{}", said.out);
 }
+
+/// A hand of 200 N/m that presses on 1 kN/m: Coulomb's 0.5 N holds anywhere within 0.5 / 1200 m of the balance at 10/3 mm.
+#[test]
+fn a_plant_that_friction_holds_outside_its_band_is_said_to_stand() {
+    let place = Place::new();
+    let scene = "duration = 4\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 0.1 }\n\
+        operator = { mass = 0.1, damping = 2, stiffness = 200, rest = 0.01 }\n\
+        environment.wall = { position = 0.002, stiffness = 1000, damping = 1 }\n";
+    place.put("free.toml", scene);
+    place.put("stuck.toml", scene.to_owned() + "effects.friction.coulomb = 0.5\n");
+    place
+        .run(["run", "stuck.toml", "--csv", "rows.csv"])
+        .ended(0, &["verdict swinging", "friction of up to 0.5 N holds it there since t = 0.11"]);
+    let rows = place.text("rows.csv");
+    let place_of = |row: &str| row.split(',').nth(1).and_then(|x| x.parse::<f64>().ok()).unwrap();
+    let away = (place_of(rows.lines().last().unwrap()) - 0.01 / 3.0).abs();
+    assert!(away > 1.667e-4 && away < 0.5 / 1200.0, "{away}");
+    let free = place.run(["run", "free.toml"]);
+    free.ended(0, &["verdict settles"]);
+    assert!(!free.out.contains("friction"), "{}", free.out);
+}

@@ -62,3 +62,28 @@ fn a_scene_without_contact_is_told() {
     touched.ended(0, &["bounded,"]);
     assert!(!touched.out.contains("f_env is 0"), "{}", touched.out);
 }
+
+/// Two swings of 0.3 kg on 80 N/m take 0.77 s; those of a heavier hand or a softer spring take longer than the run.
+#[test]
+fn runs_that_are_too_short_and_runs_that_never_settle_are_told() {
+    let place = Place::new();
+    let scene = "servo_rate = 1000\ndevice = { mass = 0.2, damping = 0.5 }\n\
+        environment.wall = { position = 0.002, stiffness = 500, damping = 1 }\n";
+    let hand = "operator = { mass = 0.1, damping = 1, stiffness = 80, rest = 0.01 }\n";
+    place.put("short.toml", format!("duration = 0.78\n{hand}{scene}"));
+    let short = ["tune", "short.toml", "--trials", "2"];
+    let told = place.run(short);
+    told.ended(0, &["too short", "give a longer duration", "do not tell it apart from"]);
+    assert!(!told.out.contains("grow"), "{}", told.out);
+    let told = place.run(short.iter().chain(&["--json"]));
+    let told: serde_json::Value = serde_json::from_str(&told.out).unwrap();
+    let tuned = &told["stabilizers"][0]["tuned"];
+    let count = |key: &str| tuned[key].as_u64().unwrap();
+    assert_eq!(count("bounded") + count("too_short"), count("runs"));
+    assert!(count("too_short") > 0 && count("settle") <= count("bounded"));
+    let hand = "operator = { mass = 0.1, damping = 2, stiffness = 200, rest = 0.01 }\n";
+    let scene = scene.replace("damping = 0.5", "damping = 0.1").replace("500", "1000");
+    place.put("stuck.toml", format!("duration = 4\n{hand}{scene}effects.friction.coulomb = 0.5\n"));
+    let stuck = ["tune", "stuck.toml", "--stabilizers", "popc", "--trials", "2", "--runs", "2"];
+    place.run(stuck).ended(0, &["no judged run settles", "--objective"]);
+}

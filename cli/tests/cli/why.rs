@@ -218,3 +218,45 @@ fn a_first_force_beyond_the_range_is_not_called_none() {
     explained.ended(0, &["the first force or way leaves the range", "no force could act"]);
     assert!(!explained.out.contains("never touched"), "{}", explained.out);
 }
+
+/// Two masses on a soft link, with a two-sided spring that is drawn at the start: energy goes to and fro between them.
+const BEAT: &str = "duration = 4.024745706466804\nservo_rate = 5000\nvelocity = \"exact\"\ninitial.position = 0.004\n\
+    operator = { mass = 1.2028498423197547, damping = 0.01, stiffness = 500 }\n\
+    device = { mass = 0.5, damping = 0.08 }\nlink = { stiffness = 16.46871387640235, damping = 0.0 }\n\
+    environment.spring.stiffness = 229.83017098847805\n";
+
+#[test]
+fn a_beat_that_grows_in_a_short_run_blames_nothing() {
+    let place = Place::new();
+    place.put("beat.toml", BEAT);
+    place.run(["run", "beat.toml"]).ended(0, &["verdict grows", "linear and stable", "run longer"]);
+    let told = place.run(["explain", "beat.toml"]);
+    told.ended(0, &["where it was stored at the start", "linear and stable"]);
+    assert!(!told.out.contains("what helps"), "{}", told.out);
+    place.put("longer.toml", BEAT.replace("4.024745706466804", "600"));
+    place.run(["run", "longer.toml"]).ended(0, &["verdict settles"]);
+    // An encoder is beside the linear loop, and may drive it.
+    place.put("coarse.toml", BEAT.to_owned() + "effects.encoder.resolution = 1e-9\n");
+    place
+        .run(["run", "coarse.toml"])
+        .ended(0, &["verdict grows", "what drives the run is not in it"]);
+}
+
+#[test]
+fn a_run_that_starts_in_balance_is_told_to_say_nothing_about_its_loop() {
+    let at = |place: &str| {
+        format!(
+            "duration = 12\nservo_rate = 1000\ndevice = {{ mass = 0.2, damping = 0.1 }}\n\
+             operator = {{ mass = 0.1, damping = 0.5, stiffness = 200, rest = 0.01 }}\n\
+             initial.position = {place}\nenvironment.wall = {{ position = 0.002, stiffness = 3800 }}\n"
+        )
+    };
+    let place = Place::new();
+    place.put("balance.toml", at("0.0024"));
+    let words = ["verdict settles", "starts in balance", "not stable: spectral radius 1.00216"];
+    place.run(["run", "balance.toml"]).ended(0, &words);
+    place.put("beside.toml", at("0.0025"));
+    let beside = place.run(["run", "beside.toml"]);
+    beside.ended(0, &["verdict"]);
+    assert!(!beside.out.contains("balance") && !beside.out.contains("settles"), "{}", beside.out);
+}

@@ -28,6 +28,8 @@ pub struct Summary {
     /// The time since when the plant has stayed in the band, s; none if it is outside.
     pub settled: Option<f64>,
     settling: Settling<f64>,
+    /// The time since when the plant has not moved, s; none if it moves.
+    pub(crate) still: Option<f64>,
     /// The distance from the equilibrium on the last tick, m.
     pub(crate) away: f64,
     pub(crate) fate: Fate<f64>,
@@ -75,6 +77,7 @@ impl Summary {
             band: place.map_or(0.0, |(_, band)| band),
             settled: None,
             settling: rest_of(place),
+            still: None,
             away: 0.0,
             fate,
             out_since: None,
@@ -134,6 +137,8 @@ impl Summary {
         }
         self.settling.add(coordinate);
         self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
+        let is_still = (0..V::DIMENSIONS).all(|axis| tick.truth.velocity.axis(axis) == 0.0);
+        self.still = is_still.then(|| self.still.unwrap_or(row.t));
         let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
         self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
         self.acting_peak = self.acting_peak.max(size(axes.map(|axis| axis.f_act)));

@@ -101,6 +101,21 @@ impl Summary {
         }
     }
 
+    /// Time since which friction holds the plant where it stands, in words. A plant that only turns round stands for less than
+    /// two ticks.
+    fn held(&self) -> Option<String> {
+        let friction = self.scene.effects.friction?;
+        let (still, last) = (self.still?, self.last?);
+        let most = friction.breakaway();
+        (last.t - still >= self.scene.period()).then(|| {
+            format!(
+                "friction of up to {} N holds it there since t = {} s",
+                given(most),
+                given(still)
+            )
+        })
+    }
+
     fn distances(&self, verdict: Verdict) -> String {
         let millimetres = |metres: f64| format!("{} mm", found(MILLI * metres));
         let Some(rest) = self.equilibrium.as_deref().filter(|_| self.last.is_some()) else {
@@ -130,7 +145,8 @@ impl Summary {
             }
             (_, None) => {
                 let away = millimetres(self.away);
-                format!("at the end {away} from {place}, not within {band}")
+                let held = self.held().map_or_else(String::new, |held| format!("; {held}"));
+                format!("at the end {away} from {place}, not within {band}{held}")
             }
         }
     }

@@ -35,6 +35,8 @@ pub(crate) struct Criterion {
     pub(crate) start: f64,
     /// Half the width of the band about the equilibrium that counts as settled, m; below 0 without an equilibrium.
     pub(crate) band: f64,
+    /// Whether the plant starts in its equilibrium, up to rounding.
+    pub(crate) starts_in_balance: bool,
     /// The ticks in which what drives the run recurs: the longest period of a hand and an environment that swing; 0 without.
     pub(crate) cycle: u64,
     /// The reason why the run is too short to judge.
@@ -60,7 +62,8 @@ impl Criterion {
         // balance is not measured against zero.
         let deflection = |rest: Place| rest.distance(|axis| scene.operator.rest.axis(axis));
         let start = equilibrium.map_or(0.0, |rest| swing.max(deflection(rest)));
-        let width = BAND * if swing > BALANCE * start { swing } else { start };
+        let starts_in_balance = equilibrium.is_some() && swing <= BALANCE * start;
+        let width = BAND * if starts_in_balance { start } else { swing };
         let band = if equilibrium.is_some() { width } else { -1.0 };
         let hand = Place::of(&scene.operator.rest, scene.dimensions());
         let middles = match (scene.dimensions(), equilibria.is_empty()) {
@@ -71,7 +74,15 @@ impl Criterion {
         // Rounded up, and of any size: a conversion ends at the largest number.
         let cycle =
             (slowest_drive(scene) * scene.servo_rate.get() * (1.0 - ROUNDING)).ceil() as u64;
-        Self { equilibria, middles, start, band, cycle, shortage: Shortage::of(scene) }
+        Self {
+            equilibria,
+            middles,
+            start,
+            band,
+            starts_in_balance,
+            cycle,
+            shortage: Shortage::of(scene),
+        }
     }
 
     /// The coordinate that a motion is judged along, m: on a line the position, in a space the distance from the nearest
@@ -188,6 +199,7 @@ mod tests {
     #[test]
     fn a_start_in_balance_takes_the_deflection_and_one_without_any_has_no_place() {
         let balanced = criterion("operator.rest = 0.022\ninitial.position = 0.002\n");
+        assert!(balanced.starts_in_balance && !criterion("").starts_in_balance);
         assert_abs_diff_eq!(balanced.start, 0.020, epsilon = 1e-12);
         assert_abs_diff_eq!(balanced.band, 0.001, epsilon = 1e-12);
         let idle = criterion("initial.position = 0.0\n");

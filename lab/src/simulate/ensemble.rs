@@ -13,6 +13,12 @@ use crate::files::scene::{
 /// Draws that every member has: more than there are numbers to move.
 const DRAWS: u64 = 64;
 
+/// The first of the quantities that seeds of random effects are drawn by, behind those of [`Constant`].
+const SEEDS: u64 = 8;
+
+/// The values of a uniform number, which has 53 bits.
+const DIGITS: f64 = (1u64 << 53) as f64;
+
 /// A number of a scene that an ensemble moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Constant {
@@ -62,7 +68,8 @@ impl Default for Moves {
 /// Scenes around a scene, numbered from 0: each has its numbers moved by independent uniform random numbers.
 ///
 /// A member is a function of scene, seed and number, so members can be made in any order and on any thread; one number
-/// that moves less or not at all leaves the others as they are. Seeds of random effects move with the member's number.
+/// that moves less or not at all leaves the others as they are. Random effects get new seeds, which follow from the seeds of
+/// ensemble and scene and the member's number.
 /// The environment is left alone, since it is what is asked about; so are the stabilizer, the hand's motion and the
 /// duration.
 ///
@@ -103,7 +110,7 @@ impl Ensemble {
     pub fn member(&self, scene: &Draft, member: u64) -> Result<Scene, Conflict> {
         let mut draft = scene.clone();
         self.move_parts(&mut draft, member)?;
-        shift_seeds(&mut draft.effects, member);
+        self.draw_seeds(&mut draft.effects, member);
         let waited = self.moves.phase * self.drawn(member, Constant::Phase);
         let period = draft.environment_ratio() as f64 * draft.period();
         draft.initial = released(&draft, waited * period)?;
@@ -115,11 +122,28 @@ impl Ensemble {
         self.uniform(member, constant as u64)
     }
 
-    /// The uniform number in `[0, 1)` for `quantity` of a member. Quantities below 16 belong to [`Constant`], those from
-    /// there to 63 to whoever moves more than an ensemble does.
+    /// The uniform number in `[0, 1)` for `quantity` of a member. Quantities below 16 belong to [`Constant`] and to seeds, those
+    /// from there to 63 to whoever moves more than an ensemble does.
     pub(crate) fn uniform(&self, member: u64, quantity: u64) -> f64 {
         let call = member.wrapping_mul(DRAWS).wrapping_add(quantity);
         Random::<f64>::new(|_| self.seed, Source::Ensemble).from_call(call).uniform()
+    }
+
+    /// Gives each random effect of a member a seed of its own. One that went by the member's number alone would be the same
+    /// under each seed of the ensemble.
+    fn draw_seeds(&self, effects: &mut Effects, member: u64) {
+        let Effects { noise, jitter, dropout, .. } = effects;
+        let seeds = [
+            noise.as_mut().map(|it| &mut it.seed),
+            jitter.as_mut().map(|it| &mut it.seed),
+            dropout.as_mut().map(|it| &mut it.seed),
+        ];
+        for (quantity, seed) in (SEEDS..).zip(seeds) {
+            let drawn = (self.uniform(member, quantity) * DIGITS) as u64;
+            let Some(seed) = seed else { continue };
+            let moved = (seed.get().wrapping_add(drawn) & i64::MAX as u64) as i64;
+            *seed = Seed::new(moved).unwrap_or(*seed);
+        }
     }
 
     fn move_parts(&self, draft: &mut Draft, member: u64) -> Result<(), Conflict> {
@@ -164,18 +188,6 @@ where
 
 fn scale_all(quantities: &mut [NonNegative], factor: f64, key: &str) -> Result<(), Conflict> {
     quantities.iter_mut().try_for_each(|quantity| scale(quantity, factor, key))
-}
-
-/// Gives each random effect of a member a seed of its own; neighbouring seeds are as good as any.
-fn shift_seeds(effects: &mut Effects, member: u64) {
-    let Effects { noise, jitter, dropout, .. } = effects;
-    let noise = noise.iter_mut().map(|it| &mut it.seed);
-    let jitter = jitter.iter_mut().map(|it| &mut it.seed);
-    let dropout = dropout.iter_mut().map(|it| &mut it.seed);
-    for seed in noise.chain(jitter).chain(dropout) {
-        let moved = (seed.get().wrapping_add(member) & i64::MAX as u64) as i64;
-        *seed = Seed::new(moved).unwrap_or(*seed);
-    }
 }
 
 /// The start of `draft` after `interval` s of exact motion without environment, pulse and leading hand.
@@ -321,10 +333,34 @@ mod tests {
             assert!(moved.iter().all(|member| member.initial == own.initial));
             assert!(moved[0].operator.stiffness != moved[1].operator.stiffness);
         }
-        let noisy = scene("effects.noise = { deviation = 1e-6, seed = 7 }\n");
-        let seed = |scene: &Scene| scene.effects.noise.map(|noise| noise.seed.get());
-        let seeds: Vec<_> = members(&noisy, Moves::NONE, 3).iter().map(seed).collect();
-        assert_eq!(seeds, [Some(7), Some(8), Some(9)]);
+    }
+
+    /// The seeds of noise, jitter and dropout, under two seeds of the scene and two of the ensemble, of members near and far.
+    #[test]
+    fn chance_is_drawn_anew_under_each_seed_and_for_each_member() {
+        let mut seeds = std::collections::BTreeSet::new();
+        for of_scene in [7, 8] {
+            let random = scene(&format!(
+                "effects.noise = {{ deviation = 1e-6, seed = {of_scene} }}\n\
+                 effects.jitter = {{ deviation = 0.01, seed = {of_scene} }}\n\
+                 effects.dropout = {{ probability = 0.1, policy = \"hold\", seed = {of_scene} }}\n"
+            ));
+            for seed in [1, 2] {
+                let ensemble = Ensemble { seed, moves: Moves::NONE };
+                for member in (0..50).chain((1 << 32)..(1 << 32) + 50) {
+                    let moved = ensemble.member(&random, member).unwrap();
+                    assert_eq!(moved, ensemble.member(&random, member).unwrap());
+                    let Effects { noise, jitter, dropout, .. } = &moved.effects;
+                    let drawn = [
+                        noise.map(|it| it.seed.get()),
+                        jitter.map(|it| it.seed.get()),
+                        dropout.map(|it| it.seed.get()),
+                    ];
+                    seeds.extend(drawn.map(Option::unwrap));
+                }
+            }
+        }
+        assert_eq!(seeds.len(), 2 * 2 * 100 * 3);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::fmt;
 
 use lyapunov::bodies::{DampedMass, ElasticJoint, Impedance};
 
-use crate::files::scene::{Filter, Scene, Velocity};
+use crate::files::scene::{Effects, Filter, Scene, Velocity};
 
 /// The linear part of a scene, contact assumed: the stiffness limits are about it.
 ///
@@ -125,6 +125,18 @@ impl LinearPart {
             }),
             environment,
         })
+    }
+
+    /// Whether the run of `scene` is that of this part but for rounding, since the scene has nothing that the part leaves out.
+    pub(crate) fn is_all_of(&self, scene: &Scene) -> bool {
+        let Effects { encoder, saturation, noise, jitter, friction, load, pulse, .. } =
+            &scene.effects;
+        let sees = encoder.is_none() && noise.is_none() && jitter.is_none();
+        let moves = saturation.is_none() && friction.is_none() && load.is_none();
+        let hand = scene.operator.motion.is_none() && scene.operator.grip.is_none();
+        let (environment, kind) = (&scene.environment, scene.environment.kind());
+        let touches = environment.surface_stiffness().is_none() && kind.impedance_note().is_none();
+        sees && moves && pulse.is_none() && hand && touches && scene.stabilizer.is_none()
     }
 
     /// Whether the environment needs the velocity.

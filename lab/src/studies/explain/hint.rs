@@ -1,15 +1,21 @@
-//! Hint of two lines under a run that grows.
+//! Hint under a run: the reason of one that grows, a remark on one that starts in balance.
 
 use std::fmt;
 
+use crate::files::Scene;
 use crate::measure::{Limits, LinearPart, Summary, Verdict};
-use crate::text::{found, given};
+use crate::text::{folded, found, given, near_one};
 
 /// The reason where a run left the range of the numbers and no force had acted.
 pub(super) const LEFT: &str =
     "the first force or way leaves the range of the numbers: a value is far too large";
 
-/// The reason why a run grows: its `Display` gives it in two lines, and nothing for another run.
+/// The reason where nothing acts beside a linear loop that is stable.
+pub(super) const TRANSIENT: &str =
+    "the loop is linear and stable: the growth is a beat or a transient; run longer";
+
+/// The reason why a run grows: its `Display` gives it in two lines. Under a run that starts in balance and stays there it is a
+/// remark on that, and under another run nothing.
 #[derive(Clone, Debug)]
 pub struct Hint<'a>(&'a Summary);
 
@@ -33,6 +39,9 @@ impl<'a> Hint<'a> {
         let Ok(part) = LinearPart::of(&self.0.scene) else {
             return "no formula applies to this loop".to_owned();
         };
+        if self.0.left_range().is_none() && is_transient(&self.0.scene) {
+            return TRANSIENT.to_owned();
+        }
         let own = part.environment.stiffness;
         match part.stable_stiffness() {
             _ if own < 0.0 && part.spectral_radius() >= 1.0 => {
@@ -58,6 +67,25 @@ impl<'a> Hint<'a> {
         }
     }
 
+    /// The remark on a run that starts in balance and never leaves it: it would do so in a loop that is not stable too, and
+    /// what rounding starts may take longer than the run to show.
+    fn undisturbed(&self) -> Option<String> {
+        let Summary { scene, .. } = self.0;
+        let in_balance = self.0.fate.criterion(0).starts_in_balance;
+        if !in_balance || self.0.settling_time() != Some(0.0) {
+            return None;
+        }
+        let radius = LinearPart::of(scene).ok().map(|part| part.spectral_radius());
+        let radius = radius.filter(|radius| *radius > 1.0 && scene.stabilizer.is_none());
+        let linear = radius.map_or_else(String::new, |radius| {
+            format!(", and its linear loop is not stable: spectral radius {}", near_one(radius, 8))
+        });
+        Some(format!(
+            "the run starts in balance and nothing takes it out of its band, so the verdict says nothing about the \
+             loop{linear}; start it elsewhere"
+        ))
+    }
+
     /// The debt that a cap below the default left, beside which the stiffness explains little.
     fn unpaid(&self) -> Option<String> {
         let Summary { scene, shortfall, .. } = self.0;
@@ -73,7 +101,8 @@ impl<'a> Hint<'a> {
 impl fmt::Display for Hint<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.0.verdict() != Verdict::Grows {
-            return Ok(());
+            let note = self.undisturbed().map(|note| folded("  note         ", &note));
+            return note.map_or(Ok(()), |note| writeln!(f, "{note}"));
         }
         writeln!(f, "  why          {}", self.reason())?;
         writeln!(
@@ -81,6 +110,11 @@ impl fmt::Display for Hint<'_> {
             "               `lyapunov explain` says where the energy came from and what helps"
         )
     }
+}
+
+/// Whether a loop is all linear and stable, so that whatever grows in its run decays in a longer one.
+pub(super) fn is_transient(scene: &Scene) -> bool {
+    LinearPart::of(scene).is_ok_and(|part| part.is_all_of(scene) && part.spectral_radius() < 1.0)
 }
 
 /// The limits that the scene's own stiffness breaks: key, name, limit, and own stiffness over limit.

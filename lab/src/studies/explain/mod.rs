@@ -81,7 +81,9 @@ impl Explanation {
         let outside = scene.stabilizer.and_then(|own| Oddity::outside(scene, own));
         let look_at = trial.look_at.into_iter().chain(outside).collect();
         let acts = trial.feel.peak != 0.0;
-        let needs_one = acts && (trial.verdict == Verdict::Grows || is_unstable);
+        let passes = !trial.left_range && hint::is_transient(scene);
+        let grows = trial.verdict == Verdict::Grows && !passes;
+        let needs_one = acts && (grows || is_unstable);
         let remedies = if needs_one { remedy::remedies::<V>(scene, watch) } else { vec![] };
         Ok(Self {
             scene: scene.clone(),

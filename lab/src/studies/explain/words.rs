@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::hint::{LEFT, broken};
+use super::hint::{LEFT, TRANSIENT, broken, is_transient};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::measure::{Balance, Verdict};
 use crate::show::described;
@@ -21,6 +21,9 @@ impl fmt::Display for Explanation {
         if self.remedies.is_empty() {
             let grows = self.verdict == Verdict::Grows;
             return match self.peak_force != 0.0 {
+                true if grows && !self.left_range && is_transient(&self.scene) => {
+                    writeln!(f, "\n  {TRANSIENT}")
+                }
                 true if grows => writeln!(f, "\n  nothing that was tried helps"),
                 true => Ok(()),
                 false => writeln!(f, "\n  {}, so no change of the loop was tried", self.idle()),
@@ -129,7 +132,11 @@ impl Explanation {
         f.write_str(&textwrap::indent(&self.balances(first).to_string(), "  "))?;
         let (leak, energy) = first.largest_leak();
         if -first.wall > energy.max(0.0) {
-            writeln!(f, "\n  most came from the environment, which gives energy by its own law")?;
+            let why = match self.scene.environment.kind().is_active() {
+                true => "which gives energy by its own law",
+                false => "where it was stored at the start",
+            };
+            writeln!(f, "\n  most came from the environment, {why}")?;
         } else if energy > 0.0 {
             writeln!(f, "\n  largest leak of the first contact: the {leak}")?;
         }

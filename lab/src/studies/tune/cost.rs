@@ -4,19 +4,19 @@ use lyapunov::Signal;
 
 use super::objective::{Objective, Term};
 use super::study::{TuneError, Watch};
+use super::trial::Outcome;
 use crate::files::Scene;
 use crate::measure::runs::{Instant, Judged, Meter, Metering, Ran, Runs};
 use crate::measure::{ForceError, Settling, StiffnessFelt, Verdict};
 use crate::simulate::Instructions;
 
-/// The cost of the run of each of `scenes` under the stabilizer of its `told`, which knows the numbers of `told` only;
-/// none where it grows or cannot be judged.
+/// The outcome of the run of each of `scenes` under the stabilizer of its `told`, which knows the numbers of `told` only.
 pub(super) fn costs(
     scenes: &[Scene],
     told: &[Scene],
     objective: &Objective,
     watch: &Watch<'_>,
-) -> Result<Vec<Option<f64>>, TuneError> {
+) -> Result<Vec<Outcome>, TuneError> {
     let tables: Vec<_> = told.iter().map(|told| told.stabilizer).collect();
     let instructions = Some(Instructions::best());
     let runs = Runs { scenes, told, tables: &tables, instructions };
@@ -27,18 +27,25 @@ pub(super) fn costs(
     if watch(scenes.len() as u64).is_break() {
         return Err(TuneError::Stopped);
     }
-    let cost = |(judged, scene): (&Judged<Read>, &Scene)| {
-        let read = judged.reading.filter(|_| judged.verdict.is_bounded())?;
-        Some(objective.of(Term::ALL.map(|term| match term {
-            Term::Settling => {
-                let settles = judged.verdict == Verdict::Settles;
-                read.settling_time.filter(|_| settles).unwrap_or(scene.duration.get())
-            }
-            Term::ForceError => read.force_error.unwrap_or(0.0),
-            Term::Stiffness => (100.0 - read.stiffness_percent.unwrap_or(0.0)).max(0.0),
-        })))
+    let outcome = |(judged, scene): (&Judged<Read>, &Scene)| {
+        let settles = judged.verdict == Verdict::Settles;
+        let cost = |read: Read| {
+            objective.of(Term::ALL.map(|term| match term {
+                Term::Settling => {
+                    read.settling_time.filter(|_| settles).unwrap_or(scene.duration.get())
+                }
+                Term::ForceError => read.force_error.unwrap_or(0.0),
+                Term::Stiffness => (100.0 - read.stiffness_percent.unwrap_or(0.0)).max(0.0),
+            }))
+        };
+        match (judged.verdict, judged.reading.map(cost)) {
+            (Verdict::TooShort, _) => Outcome::TooShort,
+            (Verdict::Settles, Some(cost)) => Outcome::Settles(cost),
+            (Verdict::Swinging, Some(cost)) => Outcome::Swinging(cost),
+            (Verdict::Grows, _) | (_, None) => Outcome::Grows,
+        }
     };
-    Ok(judged.iter().zip(scenes).map(cost).collect())
+    Ok(judged.iter().zip(scenes).map(outcome).collect())
 }
 
 /// The numbers that the terms of an objective are about.
@@ -114,7 +121,7 @@ mod tests {
         environment.wall = { stiffness = 1000.0, damping = 2.0 }\n\
         stabilizer.popc.damping_cap = 0.1\n";
 
-    fn on_lanes(scenes: &[Scene], objective: &str) -> Vec<Option<f64>> {
+    fn on_lanes(scenes: &[Scene], objective: &str) -> Vec<Outcome> {
         let objective = objective.parse().unwrap();
         costs(scenes, scenes, &objective, &|_| ControlFlow::Continue(())).unwrap()
     }
@@ -130,7 +137,12 @@ mod tests {
             |scene: &Scene| score_under(scene, popc, &|_| ControlFlow::Continue(())).unwrap();
         let scores: Vec<_> = members.iter().map(alone).collect();
         assert!(scores.iter().any(|score| score.stiffness_percent.is_some()));
-        let bounded = |score: &Score, cost: f64| score.verdict.is_bounded().then_some(cost);
+        let bounded = |score: &Score, cost: f64| match score.verdict {
+            Verdict::Settles => Outcome::Settles(cost),
+            Verdict::Swinging => Outcome::Swinging(cost),
+            Verdict::Grows => Outcome::Grows,
+            Verdict::TooShort => Outcome::TooShort,
+        };
         let errors = scores.iter().map(|it| bounded(it, it.force_error.unwrap_or(0.0)));
         assert_eq!(on_lanes(&members, "force-error"), errors.collect::<Vec<_>>());
         let lacking = |it: f64| (100.0 - it).max(0.0);

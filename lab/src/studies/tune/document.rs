@@ -40,14 +40,22 @@ struct Judged {
     set: Map<String, Value>,
     runs: usize,
     bounded: usize,
+    settle: usize,
+    too_short: usize,
     mean_cost: Option<f64>,
 }
 
 impl Judged {
     fn of(setting: &Setting, trial: &Trial) -> Self {
         let set = setting.numbers().iter().map(|it| (it.key.to_owned(), Value::from(it.value)));
-        let (runs, bounded) = (trial.runs(), trial.bounded());
-        Self { set: set.collect(), runs, bounded, mean_cost: trial.cost() }
+        Self {
+            set: set.collect(),
+            runs: trial.runs(),
+            bounded: trial.bounded(),
+            settle: trial.settle(),
+            too_short: trial.too_short(),
+            mean_cost: trial.cost(),
+        }
     }
 }
 

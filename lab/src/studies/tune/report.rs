@@ -4,7 +4,7 @@ use maud::html;
 
 use super::picture::figure;
 use super::study::{Tuned, Tuning};
-use super::table::{costs, numbers, signs};
+use super::table::{costs, numbers, remarks, signs};
 use crate::show::beside::beside;
 use crate::show::csv::{self, Field};
 use crate::show::html;
@@ -25,6 +25,7 @@ pub fn page(name: &str, tuning: &Tuning, tuned: &[Tuned], command: &str) -> Stri
             "Means over the runs that stay bounded; a setting under which none does has no bar."
         }))
         (costs(*objective, tuned).to_html("short"))
+        @for remark in remarks(*objective, tuned) { p { (remark) } }
         p {
             "Both settings on " (judges) " runs that the search never saw. Each run moves the clock's phase over "
             (percent(moves.phase)) " of a tick, and by up to " (percent(moves.mass)) " the masses, "

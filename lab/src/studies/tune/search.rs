@@ -6,7 +6,8 @@ const RADII: [f64; 3] = [0.2, 0.07, 0.025];
 /// Bases of the Halton sequence, one for each dimension.
 const BASES: [u32; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
 
-/// Search of the unit cube: half of the trials spread over all of it, the rest in ever smaller boxes about the best.
+/// Search of the unit cube: half of the trials, and what does not divide by three, spread over all of it, the rest in ever smaller
+/// boxes about the best.
 ///
 /// The places are a Halton sequence, so a search is the same each time. Places of a batch do not depend on each other and
 /// may be tried at once.

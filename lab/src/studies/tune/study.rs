@@ -1,7 +1,7 @@
 //! Tuning of one stabilizer on one scene.
 
 use std::fmt;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 use lyapunov::ParameterError;
 use rayon::prelude::*;
@@ -88,9 +88,9 @@ pub struct Tuning {
     pub trials: u32,
     /// Runs of each trial: the members of the ensemble that tuning sees.
     pub runs: u32,
-    /// Seed of the ensemble that tuning sees; the one that it is judged on has the next seed.
+    /// Seed of the ensemble.
     pub seed: u64,
-    /// How far the numbers of the scene move in both.
+    /// How far the numbers of the scene move in it.
     pub moves: Moves,
 }
 
@@ -104,8 +104,11 @@ impl Default for Tuning {
 /// The most runs that a thread takes at once: two groups of lanes, of which one computes while the other waits.
 const SHARE: usize = 16;
 
-/// Members of the ensemble that tuning never sees, for each that it does.
-const JUDGES: u32 = 2;
+/// Members that tuning never sees, for each that it does.
+const JUDGES: u64 = 2;
+
+/// Number of the first member that tuning never sees: more than it ever does.
+const UNSEEN: u64 = 1 << 32;
 
 /// A stabilizer as the scene sets it and as it was tuned.
 #[derive(Clone, Debug)]
@@ -116,9 +119,9 @@ pub struct Tuned {
     pub settings: [Setting; 2],
     /// The scene with the tuned stabilizer, ready to run.
     pub scene: Scene,
-    /// Runs of each setting on the ensemble that tuning never saw.
+    /// Runs of each setting on the members that tuning never saw.
     pub judged: [Trial; 2],
-    /// The best trial on the ensemble that tuning saw.
+    /// The best trial on the members that tuning saw.
     pub seen: Trial,
 }
 
@@ -126,7 +129,7 @@ impl Tuning {
     /// The number of runs that a stabilizer takes at most, with judging.
     pub fn rollouts(&self) -> u64 {
         let (trials, runs) = (u64::from(self.trials), u64::from(self.runs));
-        runs * (trials + 1) + 2 * runs * u64::from(JUDGES)
+        runs * (trials + 1) + 2 * runs * JUDGES
     }
 
     /// Checks that one of `names` has a number to tune on `scene`.
@@ -156,8 +159,8 @@ impl Tuning {
         self.fits(scene)?;
         name.check_axes(scene).map_err(TuneError::Axes)?;
         let default = Setting::of(scene, name);
-        let seen = Ensemble { seed: self.seed, moves: self.moves };
-        let run = |settings: &[Setting]| self.trials(scene, settings, &seen, self.runs, watch);
+        let runs = u64::from(self.runs);
+        let run = |settings: &[Setting]| self.trials(scene, settings, 0..runs, watch);
         let mut best = (default.clone(), run(std::slice::from_ref(&default))?.remove(0));
         let mut search = Search::from(default.place(), self.trials as usize);
         while let Some(places) = search.next(&best.0.place()) {
@@ -170,38 +173,42 @@ impl Tuning {
             }
         }
         let (tuned, seen) = best;
-        let unseen = Ensemble { seed: self.seed.wrapping_add(1), moves: self.moves };
         let settings = [default, tuned];
-        let mut judged = self.trials(scene, &settings, &unseen, JUDGES * self.runs, watch)?;
+        let unseen = UNSEEN..UNSEEN + JUDGES * runs;
+        let mut judged = self.trials(scene, &settings, unseen, watch)?;
         let judged = [judged.remove(0), judged.remove(0)];
         let [default, tuned] = settings;
         let ready = tuned.on(scene)?;
         Ok(Tuned { name, settings: [default, tuned], scene: ready, judged, seen })
     }
 
-    /// The runs of each of `settings` on the first `runs` members of `ensemble`, all at once.
+    /// The runs of each of `settings` on these `members` of the ensemble, all at once.
     fn trials(
         &self,
         scene: &Scene,
         settings: &[Setting],
-        ensemble: &Ensemble,
-        runs: u32,
+        members: Range<u64>,
         watch: &Watch<'_>,
     ) -> Result<Vec<Trial>, TuneError> {
+        let (ensemble, runs) =
+            (Ensemble { seed: self.seed, moves: self.moves }, members.clone().count());
         let told: Vec<Option<Scene>> = settings.iter().map(|it| it.on(scene).ok()).collect();
-        let each = told.iter().flatten().flat_map(|told| (0..runs).map(move |run| (told, run)));
-        let pairs: Vec<(&Scene, u32)> = each.collect();
+        let each = told
+            .iter()
+            .flatten()
+            .flat_map(|told| members.clone().map(move |member| (told, member)));
+        let pairs: Vec<(&Scene, u64)> = each.collect();
         let share = pairs.len().div_ceil(rayon::current_num_threads()).clamp(1, SHARE);
-        let some = |pairs: &[(&Scene, u32)]| {
-            let member = |(told, run): &(&Scene, u32)| ensemble.member(told, u64::from(*run));
+        let some = |pairs: &[(&Scene, u64)]| {
+            let member = |(told, member): &(&Scene, u64)| ensemble.member(told, *member);
             let scenes: Vec<Scene> = pairs.iter().map(member).collect::<Result<_, _>>()?;
             let told: Vec<Scene> = pairs.iter().map(|(told, _)| (*told).clone()).collect();
             costs(&scenes, &told, &self.objective, watch)
         };
-        let costs: Result<Vec<Vec<_>>, TuneError> = pairs.par_chunks(share).map(some).collect();
-        let mut costs = costs?.into_iter().flatten();
+        let ran: Result<Vec<Vec<_>>, TuneError> = pairs.par_chunks(share).map(some).collect();
+        let mut ran = ran?.into_iter().flatten();
         let trial = |told: &Option<Scene>| match told {
-            Some(_) => Trial::of(costs.by_ref().take(runs as usize).collect()),
+            Some(_) => Trial::of(ran.by_ref().take(runs).collect()),
             None => Trial::refused(runs),
         };
         Ok(told.iter().map(trial).collect())
@@ -249,6 +256,14 @@ impl Tuned {
         }
         best
     }
+
+    /// The others of `all` whose judged runs are not worse than this one's by more than chance explains.
+    pub(super) fn level(&self, all: &[Self]) -> Vec<StabilizerName> {
+        let others = all.iter().filter(|other| other.name != self.name);
+        let level =
+            |other: &&Self| Change::between(&self.judged[1], &other.judged[1]) != Change::Worse;
+        others.filter(level).map(|other| other.name).collect()
+    }
 }
 
 /// Comparison of a tuned setting with the scene's, on the runs that tuning never saw.
@@ -288,12 +303,13 @@ impl Change {
 
 #[cfg(test)]
 mod tests {
+    use super::super::trial::Outcome;
     use super::*;
 
     /// A trial of runs at `costs`, and of more of them that grow.
     fn trial(costs: &[f64], grow: usize) -> Trial {
-        let bounded = costs.iter().copied().map(Some);
-        Trial::of(bounded.chain(std::iter::repeat_n(None, grow)).collect())
+        let bounded = costs.iter().copied().map(Outcome::Settles);
+        Trial::of(bounded.chain(std::iter::repeat_n(Outcome::Grows, grow)).collect())
     }
 
     #[test]

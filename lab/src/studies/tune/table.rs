@@ -1,9 +1,11 @@
 //! The tables of a tuning in the terminal.
 
-use super::objective::Objective;
+use super::objective::{Objective, Term};
 use super::study::{Tuned, Tuning};
+use super::trial::Trial;
 use crate::measure::Summary;
 use crate::show::table::{Heading, Table};
+use crate::simulate::family::StabilizerName;
 use crate::simulate::{Rollout, in_space};
 use crate::text::{folded, found, given};
 
@@ -17,12 +19,36 @@ pub fn table(name: &str, tuning: &Tuning, tuned: &[Tuned]) -> String {
         trials + 1
     );
     format!(
-        "{}{}\n{}\n{}",
+        "{}{}\n{}\n{}{}",
         textwrap::fill(&head, 100),
         signs(tuned),
         numbers(tuned),
-        costs(tuning.objective, tuned)
+        costs(tuning.objective, tuned),
+        remarks(tuning.objective, tuned)
+            .iter()
+            .map(|it| folded("note: ", it) + "\n")
+            .collect::<String>()
     )
+}
+
+/// Remarks on a judgement: runs that are too short, costs that are all the duration, stabilizers that chance may order.
+pub(super) fn remarks(objective: Objective, tuned: &[Tuned]) -> Vec<String> {
+    let judged = || tuned.iter().flat_map(|one| &one.judged);
+    let runs = judged().map(Trial::runs).max().unwrap_or(0);
+    let short = judged().map(Trial::too_short).max().unwrap_or(0);
+    let settles = judged().any(|trial| trial.settle() > 0);
+    let bounded = judged().any(|trial| trial.bounded() > 0);
+    let counts = objective.weight(Term::Settling) > 0.0;
+    let too_short = (short > 0).then(|| {
+        format!(
+            "up to {short} of {runs} runs are too short to judge, as a moved mass or stiffness swings more slowly: give a \
+             longer duration"
+        )
+    });
+    let idle = (counts && bounded && !settles).then(|| {
+        "no judged run settles, so each counts its whole duration: give a longer one, or another --objective".to_owned()
+    });
+    too_short.into_iter().chain(idle).chain(level(tuned)).collect()
 }
 
 /// The signs of a scene in which no force acts, a line each: there is nothing to tune for then.
@@ -31,6 +57,16 @@ pub(super) fn signs(tuned: &[Tuned]) -> String {
     let run = in_space!(scene, Axes => Rollout::<Axes>::of(scene).map(|it| Summary::of(scene, it)));
     let idle = run.ok().filter(|run| !run.acts()).map(|run| run.look_at());
     idle.into_iter().flatten().map(|it| folded("look at: ", &it.text) + "\n").collect()
+}
+
+/// The stabilizers that the judged runs do not tell apart from the best, which is the best of them by chance too.
+fn level(tuned: &[Tuned]) -> Option<String> {
+    let best = Tuned::best(tuned)?;
+    let names: Vec<&str> = best.level(tuned).into_iter().map(StabilizerName::name).collect();
+    let name = best.name.name();
+    (!names.is_empty()).then(|| {
+        format!("{name} comes first; these runs do not tell it apart from {}", names.join(", "))
+    })
 }
 
 /// The numbers as the scene sets them and tuned.
@@ -78,19 +114,19 @@ pub(super) fn costs(objective: Objective, tuned: &[Tuned]) -> Table {
     };
     let mut table = Table::new([
         Heading::word("stabilizer"),
-        Heading::number("bounded,\ndefault"),
-        Heading::number("bounded,\ntuned"),
+        Heading::number("bounded,\nsettle,\ndefault"),
+        Heading::number("bounded,\nsettle,\ntuned"),
         Heading::number(format!("mean\ncost,\ndefault{unit}")),
         Heading::number(format!("mean\ncost,\ntuned{unit}")),
         Heading::number(format!("change with\n95 % interval{unit}")),
         Heading::word("tuned is"),
     ]);
     for one in tuned {
-        let bounded = one.judged.each_ref().map(|it| format!("{} of {}", it.bounded(), it.runs()));
+        let held = one.judged.each_ref().map(|it| format!("{}, {}", it.bounded(), it.settle()));
         let [before, after] = one.judged.each_ref().map(|it| it.cost());
         let change = one.judged[1].change_from(&one.judged[0]);
         let change = change.map(|(change, half)| format!("{} +- {}", found(change), found(half)));
-        let [default, best] = bounded;
+        let [default, best] = held;
         table.push([
             one.name.name().into(),
             default.into(),
@@ -107,9 +143,17 @@ pub(super) fn costs(objective: Objective, tuned: &[Tuned]) -> Table {
 /// Comparison of the tuned setting, and whether it keeps every run bounded.
 fn word(one: &Tuned) -> String {
     let (word, judged) = (one.change().word(), &one.judged[1]);
-    match judged.runs() - judged.bounded() {
-        0 => word.to_owned(),
-        _ if judged.bounded() == 0 => "none bounded".to_owned(),
-        grow => format!("{word}; {grow} grow"),
+    let short = judged.too_short();
+    let grow = judged.runs() - judged.bounded() - short;
+    let mut told = match judged.bounded() {
+        0 if short == 0 => return "none bounded".to_owned(),
+        0 => "none bounded".to_owned(),
+        _ => word.to_owned(),
+    };
+    for (count, what) in [(grow, "grow"), (short, "too short")] {
+        if count > 0 {
+            told += &format!("; {count} {what}");
+        }
     }
+    told
 }

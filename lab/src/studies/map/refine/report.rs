@@ -72,10 +72,13 @@ const MEANING: &str = "Bounded: the share of the rectangle between the first and
                        that the search starts with, the edge passes some; it is ragged in those in which it passes more \
                        neighbouring cells than an edge can that only rises or only falls.";
 
+/// Limit of the table's `±`, for a reader without the page.
+const CAVEAT: &str = "The edge is ± half of the blocks that it passes; islands that no judged cell meets are not in it.";
+
 impl fmt::Display for Refined {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let grid = self.grid();
-        write!(f, "{}\n{}\n\n{}", grid.x, grid.y, self.table())
+        write!(f, "{}\n{}\n\n{}{CAVEAT}\n", grid.x, grid.y, self.table())
     }
 }
 
