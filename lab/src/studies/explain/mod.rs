@@ -43,8 +43,9 @@ pub struct Explanation {
     pub whole_run: Balance,
     /// The largest force on the plant, N.
     pub peak_force: f64,
-    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
-    pub force_error: f64,
+    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N; none without a
+    /// contact with a wall or a solid.
+    pub force_error: Option<f64>,
     /// The remedies, each tried; none where none is needed, and where no force acts.
     pub remedies: Vec<Remedy>,
     /// The signs of a mistake in the scene or its run.

@@ -40,8 +40,9 @@ pub struct Remedy {
     pub verdict: Verdict,
     /// Largest force on the plant in that run, N.
     pub peak_force: f64,
-    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
-    pub force_error: f64,
+    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N; none without a
+    /// contact with a wall or a solid.
+    pub force_error: Option<f64>,
 }
 
 /// New value of a key.

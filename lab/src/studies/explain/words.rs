@@ -175,18 +175,19 @@ const LINES: [(&str, Of); 15] = [
     ("left  to rounding", |it| it.closing),
 ];
 
-/// Largest force of a run, and the error of its force.
-struct Felt(f64, f64);
+/// Largest force of a run, and the error of its force, if it has one.
+struct Felt(f64, Option<f64>);
 
 impl fmt::Display for Felt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(peak, error) = self;
-        write!(
-            f,
-            "peak force {} N, off the wall's own force by {} N (rms)",
-            found(*peak),
-            found(*error)
-        )
+        write!(f, "peak force {} N", found(*peak))?;
+        match error {
+            Some(error) => {
+                write!(f, ", off the environment's own force by {} N (rms)", found(*error))
+            }
+            None => Ok(()),
+        }
     }
 }
 
