@@ -125,6 +125,10 @@ fn notes(
         kind.impedance().is_some_and(|it| it.mass > 0.0),
         "Gil's rule knows nothing of the environment's mass",
     );
+    note(
+        scene.link.is_some(),
+        "Gil's rule knows nothing of the link: it takes hand and device as one mass",
+    );
     note(effects.jitter.is_some(), "the period is the nominal one, without jitter");
     note(scene.operator.grip.is_some(), "the grip is the one at the start");
     note(scene.stabilizer.is_some(), "the limits are those of the loop without its stabilizer");
