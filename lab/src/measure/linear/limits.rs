@@ -4,7 +4,7 @@ use lyapunov::bodies::Impedance;
 
 use super::{LinearPart, NotLinear, rules};
 use crate::files::scene::{Filter, Scene, Velocity};
-use crate::text::given;
+use crate::text::{found, given};
 
 /// The largest stiffness of a scene's environment by each formula, N/m; its `Display` is the table of `lyapunov bound`.
 ///
@@ -98,7 +98,7 @@ fn notes(
         "no stiffness is passive with an exact velocity: a sample of it costs no energy",
     );
     if passive == Some(0.0) && scene.velocity != Velocity::Exact {
-        damping_note(part).into_iter().for_each(|text| note(true, &text));
+        damping_note(scene, part).into_iter().for_each(|text| note(true, &text));
     }
     note(
         range == Some([0.0, 0.0]),
@@ -135,13 +135,28 @@ fn notes(
     notes
 }
 
-/// The wall's damper as the reason why no stiffness is passive: a sampled one has to be paid by the device's own.
-fn damping_note(part: Result<LinearPart, NotLinear>) -> Option<String> {
-    let LinearPart { environment, device, .. } = part.ok()?;
-    let [wall, own] = [environment.damping, device.damping].map(given);
-    (environment.damping > device.damping).then(|| {
+/// The reason why no stiffness is passive: sampled damping and mass have to be paid by the device's own damping, and so has any
+/// spring.
+fn damping_note(scene: &Scene, part: Result<LinearPart, NotLinear>) -> Option<String> {
+    let part = part.ok()?;
+    let LinearPart { environment, device, .. } = part;
+    let alone = LinearPart { environment: Impedance { stiffness: 0.0, ..environment }, ..part };
+    let (needed, own) = (alone.passive_damping(), given(device.damping));
+    if needed == 0.0 {
+        return (device.damping == 0.0).then(|| {
+            "no stiffness is passive: the device has no damping, and a sampled spring needs some"
+                .to_owned()
+        });
+    }
+    let (name, damping) = (scene.environment.name(), given(environment.damping));
+    let parts = match environment.mass > 0.0 {
+        true => format!("mass, with a damping of {damping} N.s/m,"),
+        false => format!("damping of {damping} N.s/m"),
+    };
+    (needed >= device.damping).then(|| {
         format!(
-            "no stiffness is passive: the wall's damping {wall} is above the device's {own} N.s/m"
+            "no stiffness is passive: the {name}'s {parts} alone needs {} N.s/m of the device, which has {own}",
+            found(needed)
         )
     })
 }
