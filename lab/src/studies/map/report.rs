@@ -25,8 +25,9 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
         p { "Rows: " (ORDER) "." }
         (table(survey).to_html("short"))
         p {
-            "Bounded are the cells whose run settles or is swinging; their area, in " (survey.unit()) ", is their share \
-             of the rectangle of both axes, where a logarithmic axis counts in decades."
+            "Bounded are the cells whose run settles or is swinging; an area, in " (survey.unit()) ", is the share of its \
+             cells of the rectangle of both axes, where a logarithmic axis counts in decades. A saturation bounds every \
+             run: compare what settles there."
         }
         (rendered(survey).to_html("short"))
         p {
@@ -116,8 +117,8 @@ fn notes(survey: &Survey) -> Vec<String> {
     by_speed.into_iter().chain(told(short, "are too short to judge")).chain(sign).collect()
 }
 
-/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, and what is rendered; `-` for an
-/// unknown number.
+/// Table of the shares that settle and that stay bounded, the judged cells, the areas of both, and what is rendered; `-` for an
+/// unknown number. A force limit bounds every run, and the bounded area is the same for all then.
 fn table(survey: &Survey) -> Table {
     let headings = [
         Heading::word("stabilizer"),
@@ -125,6 +126,7 @@ fn table(survey: &Survey) -> Table {
         Heading::number("bounded"),
         Heading::number("bounded\ncells"),
         Heading::number("of"),
+        Heading::number("settled\narea"),
         Heading::number("bounded\narea"),
         Heading::number("rendered"),
     ];
@@ -132,13 +134,14 @@ fn table(survey: &Survey) -> Table {
         let (settling, bounded) = (survey.settling(index), survey.bounded(index));
         // Where nothing has a place to rest at, a share of 0 would blame the stabilizer.
         let can_settle = settling.cells > 0 || survey.by_speed() < survey.grid().cells();
-        let settles = settling.share.filter(|_| can_settle);
+        let settled = Some(settling).filter(|_| can_settle);
         [
             survey.grid().stabilizers[index].name().into(),
-            settles.map(|share| percent(100.0 * share)).into(),
+            settled.and_then(|it| it.share).map(|share| percent(100.0 * share)).into(),
             bounded.share.map(|share| percent(100.0 * share)).into(),
             bounded.cells.to_string().into(),
             survey.judged(index).to_string().into(),
+            settled.and_then(|it| it.area).into(),
             bounded.area.into(),
             survey.rendered(index).percent.map(percent).into(),
         ]
