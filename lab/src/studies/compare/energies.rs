@@ -50,6 +50,7 @@ impl Energies {
                 stabilizer: name.clone(),
                 scene: comparison.name.clone(),
                 error,
+                scalar: scene.scalar,
             })?;
             match watch(scene.ticks() + 1) {
                 ControlFlow::Continue(()) => Ok((name.clone(), Some(told))),

@@ -73,6 +73,7 @@ impl TradeOff {
                     stabilizer: entrant.name.clone(),
                     scene: comparison.name.clone(),
                     error,
+                    scalar: scene.scalar,
                 },
             })?;
             match watch(scene.ticks() + 1) {
