@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::hint::{LEFT, broken};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::{Balance, Verdict};
+use crate::measure::Balance;
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
@@ -18,15 +18,16 @@ impl fmt::Display for Explanation {
         write!(f, "{}", Heads(self))?;
         writeln!(f)?;
         self.write_balances(f)?;
-        if self.remedies.is_empty() {
-            let grows = self.verdict == Verdict::Grows;
+        let Some(goal) = self.goal() else {
             return match self.peak_force != 0.0 {
-                true if grows => writeln!(f, "\n  nothing that was tried helps"),
                 true => Ok(()),
                 false => writeln!(f, "\n  {}, so no change of the loop was tried", self.idle()),
             };
+        };
+        if self.remedies.is_empty() {
+            return writeln!(f, "\n  nothing that was tried helps");
         }
-        writeln!(f, "\n  what helps, each by itself; all were run, and none grows")?;
+        writeln!(f, "\n  what helps, each by itself; all were run, and {}", goal.words())?;
         for remedy in &self.remedies {
             writeln!(f, "  - {}", Told(remedy))?;
         }
