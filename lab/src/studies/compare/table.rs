@@ -167,8 +167,8 @@ mod tests {
         assert!(rows.into_iter().any(|row| row.contains(told)), "{shown}");
         let words: Vec<&str> = shown.split_whitespace().collect();
         let line = words.join(" ");
-        let names = "popc (2.25 ns) = popc-paper (4.50 ns) = lolc";
-        assert!(line.contains("with the median time of a step: "), "{shown}");
-        assert!(line.contains("popc (2.25 ns) = "), "{names}: {shown}");
+        for words in ["with the median time of a step: ", "popc (2.25 ns) = "] {
+            assert!(line.contains(words), "{words}: {shown}");
+        }
     }
 }
