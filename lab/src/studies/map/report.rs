@@ -4,6 +4,7 @@ use maud::{Markup, html};
 use serde_json::json;
 
 use super::axis::Axis;
+use super::in_ticks;
 use super::picture::{NamedFigure, label};
 use super::survey::Survey;
 use crate::measure::Verdict;
@@ -114,7 +115,10 @@ fn notes(survey: &Survey) -> Vec<String> {
         _ => told(survey.by_speed(), "are judged by speed: they have no place to rest at"),
     };
     let sign = survey.look_at().map(|it| format!("look at: {}", it.text));
-    by_speed.into_iter().chain(told(short, "are too short to judge")).chain(sign).collect()
+    let grid = survey.grid();
+    let in_ticks = in_ticks::note(&grid.scene, &[&grid.x, &grid.y]);
+    let notes = [by_speed, told(short, "are too short to judge"), in_ticks, sign];
+    notes.into_iter().flatten().collect()
 }
 
 /// Table of the shares that settle and that stay bounded, the judged cells, the areas of both, and what is rendered; `-` for an

@@ -6,6 +6,7 @@ use super::Sweep;
 use crate::show::beside::beside;
 use crate::show::html;
 use crate::show::verdict::by_speed;
+use crate::studies::map::in_ticks;
 
 impl Sweep {
     /// The page of the sweep, as HTML; `command` made it.
@@ -14,6 +15,7 @@ impl Sweep {
             p {
                 (self.x.count) " values of " code { (self.x.key) } " on " (self.name) ", by " (html::maker(command)) "."
                 @if let Some(by) = by_speed(&self.scene) { " The scene is judged " (by) "." }
+                @if let Some(note) = in_ticks::note(&self.scene, &[&self.x]) { " " (note) "." }
             }
             h2 { "Which runs settle, and which stay bounded" }
             (html::figure(Some("verdicts"), &self.verdicts(), &html! { "The verdict on the run at each value." }))
