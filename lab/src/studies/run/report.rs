@@ -33,7 +33,7 @@ impl Curves {
             (labelled(&lines))
             @if !next.trim().is_empty() { p { (html::coded(next.trim())) "." } }
             h2 { "What the loop does" }
-            (html::figure(Some("run"), &self.figure(name, summary), &html! { (self.caption(summary)) }))
+            (html::figure(Some("run"), &self.figure(name, summary), &html! { (Self::caption(summary)) }))
             @if let Some(laid) = laid { (laid.markup()) }
             (beside(&files))
             h2 { "Scene" }
