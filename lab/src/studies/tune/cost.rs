@@ -9,6 +9,14 @@ use crate::measure::runs::{Instant, Judged, Meter, Metering, Ran, Runs};
 use crate::measure::{ForceError, Settling, StiffnessFelt, Verdict};
 use crate::simulate::Instructions;
 
+/// Cost of a run that stays bounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cost {
+    pub(super) value: f64,
+    /// Whether it settles: one that does not costs its duration, which looks like a time of settling.
+    pub(super) settles: bool,
+}
+
 /// The cost of the run of each of `scenes` under the stabilizer of its `told`, which knows the numbers of `told` only;
 /// none where it grows or cannot be judged.
 pub(super) fn costs(
@@ -16,7 +24,7 @@ pub(super) fn costs(
     told: &[Scene],
     objective: &Objective,
     watch: &Watch<'_>,
-) -> Result<Vec<Option<f64>>, TuneError> {
+) -> Result<Vec<Option<Cost>>, TuneError> {
     let tables: Vec<_> = told.iter().map(|told| told.stabilizer).collect();
     let instructions = Some(Instructions::best());
     let runs = Runs { scenes, told, tables: &tables, instructions };
@@ -29,14 +37,15 @@ pub(super) fn costs(
     }
     let cost = |(judged, scene): (&Judged<Read>, &Scene)| {
         let read = judged.reading.filter(|_| judged.verdict.is_bounded())?;
-        Some(objective.of(Term::ALL.map(|term| match term {
+        let settles = judged.verdict == Verdict::Settles;
+        let value = objective.of(Term::ALL.map(|term| match term {
             Term::Settling => {
-                let settles = judged.verdict == Verdict::Settles;
                 read.settling_time.filter(|_| settles).unwrap_or(scene.duration.get())
             }
             Term::ForceError => read.force_error.unwrap_or(0.0),
             Term::Stiffness => (100.0 - read.stiffness_percent.unwrap_or(0.0)).max(0.0),
-        })))
+        }));
+        Some(Cost { value, settles })
     };
     Ok(judged.iter().zip(scenes).map(cost).collect())
 }
@@ -116,7 +125,8 @@ mod tests {
 
     fn on_lanes(scenes: &[Scene], objective: &str) -> Vec<Option<f64>> {
         let objective = objective.parse().unwrap();
-        costs(scenes, scenes, &objective, &|_| ControlFlow::Continue(())).unwrap()
+        let costs = costs(scenes, scenes, &objective, &|_| ControlFlow::Continue(())).unwrap();
+        costs.into_iter().map(|cost| cost.map(|it| it.value)).collect()
     }
 
     #[test]

@@ -288,11 +288,12 @@ impl Change {
 
 #[cfg(test)]
 mod tests {
+    use super::super::cost::Cost;
     use super::*;
 
     /// A trial of runs at `costs`, and of more of them that grow.
     fn trial(costs: &[f64], grow: usize) -> Trial {
-        let bounded = costs.iter().copied().map(Some);
+        let bounded = costs.iter().map(|&value| Some(Cost { value, settles: true }));
         Trial::of(bounded.chain(std::iter::repeat_n(None, grow)).collect())
     }
 

@@ -1,9 +1,9 @@
 //! The tables of a tuning in the terminal.
 
-use super::objective::Objective;
+use super::objective::{Objective, Term};
 use super::study::{Tuned, Tuning};
 use crate::measure::Summary;
-use crate::show::table::{Heading, Table};
+use crate::show::table::{Cell, Heading, Table};
 use crate::simulate::{Rollout, in_space};
 use crate::text::{folded, found, given};
 
@@ -76,30 +76,33 @@ pub(super) fn costs(objective: Objective, tuned: &[Tuned]) -> Table {
         "" => String::new(),
         unit => format!("\n{unit}"),
     };
-    let mut table = Table::new([
+    // A run that does not settle costs its duration, which looks like a time of settling.
+    let tells_settled = objective.weight(Term::Settling) > 0.0;
+    let settled = if tells_settled { &["settle,\ndefault", "settle,\ntuned"][..] } else { &[] };
+    let bounded = [
         Heading::word("stabilizer"),
         Heading::number("bounded,\ndefault"),
         Heading::number("bounded,\ntuned"),
+    ];
+    let others = [
         Heading::number(format!("mean\ncost,\ndefault{unit}")),
         Heading::number(format!("mean\ncost,\ntuned{unit}")),
         Heading::number(format!("change with\n95 % interval{unit}")),
         Heading::word("tuned is"),
-    ]);
+    ];
+    let settled = settled.iter().map(|heading| Heading::number(*heading));
+    let mut table = Table::new(bounded.into_iter().chain(settled).chain(others));
     for one in tuned {
         let bounded = one.judged.each_ref().map(|it| format!("{} of {}", it.bounded(), it.runs()));
         let [before, after] = one.judged.each_ref().map(|it| it.cost());
         let change = one.judged[1].change_from(&one.judged[0]);
         let change = change.map(|(change, half)| format!("{} +- {}", found(change), found(half)));
-        let [default, best] = bounded;
-        table.push([
-            one.name.name().into(),
-            default.into(),
-            best.into(),
-            before.into(),
-            after.into(),
-            change.into(),
-            word(one).into(),
-        ]);
+        let settled = one.judged.each_ref().map(|it| format!("{} of {}", it.settled(), it.runs()));
+        let settled = settled.into_iter().filter(|_| tells_settled);
+        let name = std::iter::once(one.name.name().into());
+        let counts = bounded.into_iter().chain(settled).map(Cell::from);
+        let others = [before.into(), after.into(), change.into(), word(one).into()];
+        table.push(name.chain(counts).chain(others).collect::<Vec<_>>());
     }
     table
 }
