@@ -72,7 +72,7 @@ pub(crate) struct Map {
     /// a sweep.
     #[arg(long, value_name = "i/n", requires_all = ["out", "y"])]
     shard: Option<Shard>,
-    /// Find the edge of stability at the resolution of the grid, from few of its runs.
+    /// Find the edge of bounded runs at the resolution of the grid, from few of its runs.
     #[arg(long, requires = "y", conflicts_with_all = ["resume", "shard"])]
     refine: bool,
     /// Threads; by default one for each core.

@@ -16,7 +16,7 @@ impl Refined {
         let grid = self.grid();
         let body = html! {
             p {
-                "The edge of stability on " (grid.x.count) " by " (grid.y.count) " cells, by " (html::maker(command)) "."
+                "The edge of bounded runs on " (grid.x.count) " by " (grid.y.count) " cells, by " (html::maker(command)) "."
             }
             (self.table().to_html("short"))
             p { (MEANING) }
