@@ -413,7 +413,9 @@ fn a_stabilizer_that_cannot_run_is_named_with_what_it_needs() {
     let plan = SweepPlan::new("test", undamped, x, [member]).unwrap();
     let of_sweep = plan.run(Some(1), &|_| std::ops::ControlFlow::Continue(()));
     for error in [of_map.unwrap_err().to_string(), of_sweep.unwrap_err().to_string()] {
-        for words in ["slope-bound cannot run at", "leave slope-bound out", "or give device.damping"] {
+        for words in
+            ["slope-bound cannot run at", "leave slope-bound out", "or give device.damping"]
+        {
             assert!(error.contains(words), "{error}");
         }
     }

@@ -209,7 +209,12 @@ impl Compare {
             let trade_off = TradeOff::of(&comparison, entrants, &watch).map_err(refused)?;
             if let Some(trade_off) = trade_off {
                 let (figure, rows) = (trade_off.figure(), trade_off.csv());
-                answers.0.push(Answer { question: "trade-off", figure, rows, note: trade_off.note() });
+                answers.0.push(Answer {
+                    question: "trade-off",
+                    figure,
+                    rows,
+                    note: trade_off.note(),
+                });
             }
         }
         Ok((comparison, answers))

@@ -202,7 +202,10 @@ fn a_passive_limit_of_0_has_a_reason() {
     within.ended(0, &["passive, any operator"]);
     assert!(!within.out.contains("no stiffness is passive"), "{}", within.out);
     // An environment that answers every eighth tick needs more of the device than its own damping.
-    place.put("wall.toml", format!("environment_rate = 125\n{}", wall.replace("damping = 4", "damping = 2")));
+    place.put(
+        "wall.toml",
+        format!("environment_rate = 125\n{}", wall.replace("damping = 4", "damping = 2")),
+    );
     let slow = place.run(["bound", "wall.toml"]);
     slow.ended(0, &["the wall's damping of 2 N.s/m alone needs", "of the device, which has 3"]);
 }

@@ -114,7 +114,7 @@ impl RunSigns {
             };
             let most = found(self.environment);
             return is_idle.then(|| {
-                let text = format!("f_env reaches {most} N, and f_act is 0 on all {ticks} ticks");
+                let text = format!("f_env reaches {most} N, and f_act is 0 {}", on_all(ticks));
                 Oddity::new(Sign::Idle, format!("{text}: {why}"))
             });
         }
@@ -125,7 +125,7 @@ impl RunSigns {
             let text = "no answer of the environment arrives: effects.dropout.probability is 1";
             return Some(Oddity::new(Sign::Idle, text));
         }
-        let text = format!("f_env is 0 on all {ticks} ticks: {}", self.out_of_touch(scene));
+        let text = format!("f_env is 0 {}: {}", on_all(ticks), self.out_of_touch(scene));
         Some(Oddity::new(Sign::Untouched, text))
     }
 
@@ -165,4 +165,9 @@ impl RunSigns {
             Oddity::new(Sign::Reversed, text)
         })
     }
+}
+
+/// All ticks of a run, in words.
+fn on_all(ticks: u64) -> String {
+    if ticks == 1 { "on its only tick".to_owned() } else { format!("on all {ticks} ticks") }
 }

@@ -59,7 +59,11 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
         writeln!(f, "{}", sign.line(comparison.outcomes.len()))?;
     }
     for names in equal_names(comparison) {
-        writeln!(f, "{}", folded("equal as shown, shown once with the median time of a step: ", &names))?;
+        writeln!(
+            f,
+            "{}",
+            folded("equal as shown, shown once with the median time of a step: ", &names)
+        )?;
     }
     tables(comparison).iter().try_for_each(|table| write!(f, "\n{table}"))
 }

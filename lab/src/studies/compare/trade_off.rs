@@ -143,9 +143,9 @@ impl TradeOff {
             (0, _) => Some(format!(
                 "No wall is common: no other is bounded under all stabilizers{left_out}"
             )),
-            (common, _) if common < FEW => {
-                Some(format!("Only {common} walls are common, and medians of them say little{left_out}"))
-            }
+            (common, _) if common < FEW => Some(format!(
+                "Only {common} walls are common, and medians of them say little{left_out}"
+            )),
             _ => None,
         }
     }
@@ -180,7 +180,9 @@ impl TradeOff {
         let shares =
             panel(&format!("settles or swings, of {} walls", self.walls), "share, %", 0, &share);
         let title = match self.alone {
-            Some(alone) if alone == self.walls => "force error: all walls hold without a stabilizer".to_owned(),
+            Some(alone) if alone == self.walls => {
+                "force error: all walls hold without a stabilizer".to_owned()
+            }
             _ => format!("force error, common walls: {}", self.common),
         };
         let errors = panel(&title, "force error, N rms, median", 1, &error);

@@ -34,7 +34,9 @@ mod tests {
     use super::*;
 
     fn told(effects: &str, axes: &[&str]) -> Option<String> {
-        let text = format!("duration = 1\nservo_rate = 1000\ndevice.mass = 1\n{effects}\nenvironment.wall.stiffness = 1000\n");
+        let text = format!(
+            "duration = 1\nservo_rate = 1000\ndevice.mass = 1\n{effects}\nenvironment.wall.stiffness = 1000\n"
+        );
         let axes: Vec<Axis> = axes.iter().map(|axis| axis.parse().unwrap()).collect();
         note(&Scene::parse(&text, "test").unwrap(), &axes.iter().collect::<Vec<_>>())
     }

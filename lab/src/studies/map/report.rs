@@ -8,6 +8,7 @@ use super::in_ticks;
 use super::picture::{NamedFigure, label};
 use super::survey::Survey;
 use crate::measure::Verdict;
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 use crate::show::verdict::by_speed;
@@ -45,7 +46,7 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
         }
         h2 { "Scene" }
         p {
-            "Every number, with its default in place; the two axes stand at the scene's own values. All cells are in "
+            (EVERY_NUMBER) ". The two axes stand at the scene's own values. All cells are in "
             a href="map.csv" { "map.csv" } "."
         }
         pre { (text) }

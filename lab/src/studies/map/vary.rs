@@ -108,7 +108,8 @@ pub(super) fn no_scene(axis: &Axis, value: f64, scene: &Scene, reason: &str) -> 
     if let Some(rate) = scene.environment_rate.filter(|_| axis.key == "servo_rate") {
         let rate = rate.get();
         if (value / rate - (value / rate).round()).abs() > 1e-6 {
-            let problem = format!("`servo_rate` = {value:?} is no multiple of `environment_rate` = {rate:?}");
+            let problem =
+                format!("`servo_rate` = {value:?} is no multiple of `environment_rate` = {rate:?}");
             return VaryError::new(problem, multiples(axis, rate));
         }
     }

@@ -5,6 +5,7 @@ use maud::html;
 use super::{Curves, Laid};
 use crate::measure::Summary;
 use crate::show::beside::beside;
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::labelled::labelled;
 use crate::studies::explain::Hint;
@@ -37,7 +38,7 @@ impl Curves {
             @if let Some(laid) = laid { (laid.markup()) }
             (beside(&files))
             h2 { "Scene" }
-            p { "Every number, with its default in place." }
+            p { (EVERY_NUMBER) "." }
             pre { (scene) }
         };
         html::page(&format!("Run of {name}"), &body)

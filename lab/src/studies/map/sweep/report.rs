@@ -4,6 +4,7 @@ use maud::html;
 
 use super::Sweep;
 use crate::show::beside::beside;
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::verdict::by_speed;
 use crate::studies::map::in_ticks;
@@ -32,7 +33,7 @@ impl Sweep {
             h2 { "Rows" }
             details { summary { "All runs" } (self.runs().to_html("short")) }
             h2 { "Scene" }
-            p { "Every number, with its default in place; the swept one stands at the scene's own value." }
+            p { (EVERY_NUMBER) ". The swept one stands at the scene's own value." }
             pre { (toml::to_string(&self.scene).unwrap_or_default()) }
         };
         html::page(&format!("Sweep of {}", self.x.key), &body)
