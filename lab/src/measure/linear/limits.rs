@@ -180,3 +180,30 @@ fn friction_notes(scene: &Scene) -> Vec<&'static str> {
     ];
     all.into_iter().filter_map(|(holds, text)| holds.then_some(text)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The notes on a scene with `more`, and whether its own stiffness is within Gil's rule and the exact limit.
+    fn of(more: &str) -> (Vec<String>, [bool; 2]) {
+        let text = format!(
+            "duration = 3\nservo_rate = 1000\ndevice = {{ mass = 0.12, damping = 0.3 }}\n\
+             operator = {{ mass = 0.15, damping = 4, stiffness = 400, rest = 0.02 }}\n\
+             environment.wall = {{ stiffness = 2500, damping = 1 }}\neffects.delay.ticks = 1\n{more}"
+        );
+        let limits = Limits::of(&Scene::parse(&text, "test").unwrap());
+        let within = |limit: Option<f64>| limit.is_some_and(|limit| limit > 2500.0);
+        (limits.notes, [limits.gil, limits.exact].map(within))
+    }
+
+    /// A soft link lets the device swing on its own, and Gil's rule passes what is not stable.
+    #[test]
+    fn a_link_is_told_to_be_none_of_gil_s_rule() {
+        let is_told = |notes: &[String]| notes.iter().any(|note| note.contains("of the link"));
+        let (notes, within) = of("");
+        assert_eq!((is_told(&notes), within), (false, [true, true]));
+        let (notes, within) = of("link = { stiffness = 800, damping = 0.2 }\n");
+        assert_eq!((is_told(&notes), within), (true, [true, false]));
+    }
+}

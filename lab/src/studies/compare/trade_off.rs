@@ -143,9 +143,9 @@ impl TradeOff {
             (0, _) => Some(format!(
                 "No wall is common: no other is bounded under all stabilizers{left_out}"
             )),
-            (common, _) if common < FEW => Some(format!(
-                "Only {common} walls are common, and medians of them say little{left_out}"
-            )),
+            (common, _) if common < FEW => {
+                Some(format!("Common walls: {common} only, whose median says little{left_out}"))
+            }
             _ => None,
         }
     }
@@ -245,4 +245,38 @@ fn walls(scene: &Scene) -> Vec<Scene> {
         with.check().ok().filter(|scene| Criterion::of(scene).shortage.is_none())
     };
     if stiffness > 0.0 { (0..VALUES * VALUES).filter_map(with).collect() } else { Vec::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The trade-off of `names` on walls with these errors.
+    fn of(names: &[&str], errors: &[&[Option<f64>]]) -> TradeOff {
+        let names = names.iter().map(|name| (*name).to_owned()).collect();
+        let errors: Vec<_> = errors.iter().map(|wall| wall.to_vec()).collect();
+        TradeOff::told("walls".to_owned(), names, &errors)
+    }
+
+    #[test]
+    fn walls_that_are_not_common_have_their_reason() {
+        let names = ["none", "popc"];
+        let note = |errors: &[&[Option<f64>]]| of(&names, errors).note().unwrap_or_default();
+        let (held, grows) = (Some(0.5), None);
+        assert!(note(&[&[held, held], &[held, held]]).contains("all are bounded without"));
+        let some = note(&[&[held, held], &[grows, grows]]);
+        assert!(some.contains("no other is bounded under all stabilizers"), "{some}");
+        assert!(some.contains("1 of 2 are bounded without"), "{some}");
+        assert!(note(&[&[grows, held], &[held, held]]).contains("Common walls: 1 only"));
+        let wall: &[Option<f64>] = &[grows, held];
+        assert_eq!(of(&names, &[wall; FEW]).note(), None);
+    }
+
+    #[test]
+    fn equal_rows_are_drawn_once() {
+        let walls: [&[Option<f64>]; 2] = [&[Some(0.5); 3], &[None, Some(0.5), Some(0.5)]];
+        let drawn = of(&["slow", "popc", "lolc-spring"], &walls).drawn();
+        let drawn: Vec<_> = drawn.iter().map(|(name, share, _)| (&name[..], *share)).collect();
+        assert_eq!(drawn, [("slow", 50.0), ("popc = lolc-spring", 100.0)]);
+    }
 }

@@ -74,3 +74,29 @@ impl Curves {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::*;
+    use crate::files::Scene;
+    use crate::simulate::Rollout;
+
+    /// Slanting to the axes the distance leaves its bound before any of them does.
+    #[test]
+    fn a_run_in_a_space_is_drawn_up_to_its_verdict() {
+        let text = "duration = 2\nservo_rate = 1000\nspace.dimensions = 3\ndevice = { mass = 0.25, damping = 0.8 }\n\
+            operator = { mass = 0.2, damping = 3, stiffness = 250, rest = [0.01, 0.02, -0.01] }\n\
+            initial.position = [-0.01, 0, 0.005]\neffects.delay.ticks = 2\n\
+            environment.plane = { point = [0, 0, 0], normal = [-1, -1, 0.5], stiffness = 20000 }\n";
+        let scene = Scene::parse(text, "test").unwrap();
+        let run = Rollout::<SVector<f64, 3>>::of(&scene).unwrap();
+        let summary = Summary::of(&scene, run);
+        let start = summary.fate.criterion(0).start;
+        let mut far = Rollout::<SVector<f64, 3>>::of(&scene).unwrap();
+        let rest = SVector::<f64, 3>::from_vec(summary.equilibrium.clone().unwrap());
+        let out = far.find(|tick| (tick.truth.position - rest).norm() > 10.0 * start);
+        assert_eq!(Curves::until(&summary), out.unwrap().time);
+    }
+}
