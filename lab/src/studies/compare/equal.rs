@@ -39,10 +39,10 @@ impl<'a> Equals<'a> {
         self.0.len() > 1
     }
 
-    /// All names, each with the median of what its step costs, which is not equal: `popc (2.40 ns) = lolc-spring (3.10 ns)`.
+    /// All names, each with the median of what its step costs, which is not equal: in ns: `popc (2.40) = lolc-spring (3.10)`.
     pub(super) fn names(&self) -> String {
         let names = self.scores().map(|score| match score.step_time {
-            Some(time) => format!("{} ({:.2} ns)", score.stabilizer, time.median),
+            Some(time) => format!("{} ({:.2})", score.stabilizer, time.median),
             None => score.stabilizer.clone(),
         });
         names.collect::<Vec<_>>().join(" = ")

@@ -59,11 +59,7 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
         writeln!(f, "{}", sign.line(comparison.outcomes.len()))?;
     }
     for names in equal_names(comparison) {
-        writeln!(
-            f,
-            "{}",
-            folded("equal as shown, shown once with the median time of a step: ", &names)
-        )?;
+        writeln!(f, "{}", folded("equal as shown (median ns of a step): ", &names))?;
     }
     tables(comparison).iter().try_for_each(|table| write!(f, "\n{table}"))
 }
@@ -171,7 +167,7 @@ mod tests {
         assert!(rows.into_iter().any(|row| row.contains(told)), "{shown}");
         let words: Vec<&str> = shown.split_whitespace().collect();
         let line = words.join(" ");
-        for words in ["with the median time of a step: ", "popc (2.25 ns) = "] {
+        for words in ["equal as shown (median ns of a step): ", "popc (2.25) = "] {
             assert!(line.contains(words), "{words}: {shown}");
         }
     }
