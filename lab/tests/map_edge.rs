@@ -1,4 +1,4 @@
-//! Edge of stability from few runs against the full map.
+//! Edge of bounded runs, from few of them, against the full map.
 
 use lyapunov_lab::map::{BasicName, Outcome, Refined, Run, Side};
 

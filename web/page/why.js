@@ -60,13 +60,16 @@ function remedies(place, told, take) {
   const note = made("p");
   place.append(note);
   if (!told.remedies.length) {
-    note.textContent = { grows: "Nothing that was tried helps.", "too short": "" }[told.verdict] ?? "Nothing needs to: the run does not grow.";
+    note.textContent = { grows: "Nothing that was tried helps.", "too short": "" }[told.verdict] ?? "The run does not grow.";
     return;
   }
-  note.textContent = "Each by itself; all were run, and none grows.";
+  const settle = told.verdict === "swinging" && told.remedies.every((it) => it.verdict === "settles");
+  note.textContent = `Each by itself; all were run, and ${settle ? "all settle" : "none grows"}.`;
   for (const { set, verdict, peak_force_n: peak, force_error_rms_n: error } of told.remedies) {
     const late = set.servo_rate && told.groups.delay_ticks;
-    const felt = peak ? `peak force ${digits(peak)} N, off the wall's own force by ${digits(error)} N` : "no force acts: the wall is not touched any more";
+    // Without a wall or a solid there is no force error.
+    const off = error === null ? "" : `, off the environment's own force by ${digits(error)} N`;
+    const felt = peak ? `peak force ${digits(peak)} N${off}` : "no force acts: the wall is not touched any more";
     const what = `${verdict}: ${felt}${late ? `; its delay is then ${digits((1e3 * late) / set.servo_rate)} ms, as many ticks as before` : ""}`;
     const it = Object.assign(button("", () => take(set)), { className: "remedy" });
     it.append(made("b", {}, written(set)), made("span", {}, what));

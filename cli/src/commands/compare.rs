@@ -204,10 +204,17 @@ impl Compare {
         let mut answers = Answers::default();
         if self.out.is_some() {
             let energies = Energies::of(&comparison, entrants, &watch).map_err(refused)?;
-            answers.0.push(("energy", energies.figure(), energies.csv()));
+            let (figure, rows) = (energies.figure(), energies.csv());
+            answers.0.push(Answer { question: "energy", figure, rows, note: None });
             let trade_off = TradeOff::of(&comparison, entrants, &watch).map_err(refused)?;
             if let Some(trade_off) = trade_off {
-                answers.0.push(("trade-off", trade_off.figure(), trade_off.csv()));
+                let (figure, rows) = (trade_off.figure(), trade_off.csv());
+                answers.0.push(Answer {
+                    question: "trade-off",
+                    figure,
+                    rows,
+                    note: trade_off.note(),
+                });
             }
         }
         Ok((comparison, answers))
@@ -222,9 +229,18 @@ fn entered<V: Space>(named: &StabilizerNames, scene: &Scene, tuned: &[Tuned]) ->
     })
 }
 
-/// Figures that take runs of their own: the question that each answers, and its rows.
+/// Figures that take runs of their own.
 #[derive(Default)]
-struct Answers(Vec<(&'static str, Figure, String)>);
+struct Answers(Vec<Answer>);
+
+struct Answer {
+    question: &'static str,
+    figure: Figure,
+    /// Its numbers, as comma-separated values.
+    rows: String,
+    /// A remark that the figure needs.
+    note: Option<String>,
+}
 
 fn fill(
     folder: &Folder<'_>,
@@ -235,24 +251,28 @@ fn fill(
 ) -> Result<(), End> {
     let of = |(one, answers): (&Comparison, &Answers)| {
         let own = [("", one.figure()), ("force", one.forces())];
-        let others = answers.0.iter().map(|(question, figure, _)| (*question, figure.clone()));
+        let own = own.map(|(question, figure)| (question, figure, caption(question).to_owned()));
+        let others = answers.0.iter().map(|Answer { question, figure, note, .. }| {
+            let note = note.as_ref().map_or_else(String::new, |note| format!(" {note}."));
+            (*question, figure.clone(), format!("{}{note}", caption(question)))
+        });
         own.into_iter().chain(others).collect()
     };
-    let drawn: Vec<Vec<(&str, Figure)>> = comparisons.iter().zip(answers).map(of).collect();
+    let drawn: Vec<Vec<(&str, Figure, String)>> = comparisons.iter().zip(answers).map(of).collect();
     let told = comparisons.iter().zip(&drawn).map(|(one, figures)| {
-        let figures = figures.iter().map(|(question, figure)| (figure, caption(question)));
+        let figures = figures.iter().map(|(_, figure, caption)| (figure, &caption[..]));
         (one, figures.collect::<Vec<_>>())
     });
     let page = report(&told.collect::<Vec<_>>(), left_out.reasons(), &command_line());
     let mut results = Results::new(page, RESULTS, text).with_file(ROWS, csv(comparisons));
     let files = names(comparisons.iter().map(|one| &one.name[..]));
     for ((name, figures), answers) in files.iter().zip(&drawn).zip(answers) {
-        for (question, figure) in figures {
+        for (question, figure, _) in figures {
             End::if_interrupted()?;
             results = results.with_figure(&figure_name(name, question), figure)?;
         }
-        for (question, _, csv) in &answers.0 {
-            results = results.with_file(figure_name(name, question) + ".csv", &csv[..]);
+        for Answer { question, rows, .. } in &answers.0 {
+            results = results.with_file(figure_name(name, question) + ".csv", &rows[..]);
         }
     }
     folder.fill(results)
@@ -273,7 +293,7 @@ fn caption(question: &str) -> &'static str {
         }
         "trade-off" => {
             "What boundedness costs in transparency: the share of walls on which the run stays bounded, and the force \
-             error on the walls that all hold."
+             error on the common walls: those that every stabilizer holds and that do not hold without one."
         }
         _ => {
             "Whether it settles. Equal curves are drawn once; that of a run that grows ends where it leaves the range of \

@@ -14,7 +14,7 @@ use lyapunov_lab::map::{
     Axis, Bounds, Checkpoint, CheckpointError, Computation, Grid, Run, RunError, Shard, Survey,
     SweepPlan, areas, document, figure_names, figures, page, table_name,
 };
-use lyapunov_lab::scene::Scene;
+use lyapunov_lab::scene::{Scalar, Scene};
 use lyapunov_lab::shell_word;
 use rayon::prelude::*;
 
@@ -72,7 +72,7 @@ pub(crate) struct Map {
     /// a sweep.
     #[arg(long, value_name = "i/n", requires_all = ["out", "y"])]
     shard: Option<Shard>,
-    /// Find the edge of stability at the resolution of the grid, from few of its runs.
+    /// Find the edge of bounded runs at the resolution of the grid, from few of its runs.
     #[arg(long, requires = "y", conflicts_with_all = ["resume", "shard"])]
     refine: bool,
     /// Threads; by default one for each core.
@@ -290,13 +290,21 @@ impl Map {
                 computation.lanes
             ),
             Some(set) => format!("{} cells at once ({set})", computation.lanes),
-            None => {
-                "one cell at a time, as the scene is in f32, in a space, or its integrator adaptive"
-                    .into()
-            }
+            None => format!("one cell at a time, as {}", alone(&survey.grid().scene)),
         };
         let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
         print(said)
+    }
+}
+
+/// The reason why the cells of `scene` have no lanes.
+fn alone(scene: &Scene) -> &'static str {
+    if scene.scalar == Scalar::F32 {
+        "the scene is in f32"
+    } else if scene.dimensions() > 1 {
+        "the scene is in a space"
+    } else {
+        "the integrator is adaptive"
     }
 }
 

@@ -195,12 +195,19 @@ fn a_passive_limit_of_0_has_a_reason() {
         "environment.wall = { stiffness = 9, damping = 4 }",
     );
     place.put("wall.toml", &wall);
-    let reason = "the wall's damping 4 is above the device's 3 N.s/m";
+    let reason = "the wall's damping of 4 N.s/m alone needs 4 N.s/m of the device, which has 3";
     place.run(["bound", "wall.toml"]).ended(0, &["passive, any operator 0", reason]);
     place.put("wall.toml", wall.replace("damping = 4", "damping = 2"));
     let within = place.run(["bound", "wall.toml"]);
     within.ended(0, &["passive, any operator"]);
     assert!(!within.out.contains("no stiffness is passive"), "{}", within.out);
+    // An environment that answers every eighth tick needs more of the device than its own damping.
+    place.put(
+        "wall.toml",
+        format!("environment_rate = 125\n{}", wall.replace("damping = 4", "damping = 2")),
+    );
+    let slow = place.run(["bound", "wall.toml"]);
+    slow.ended(0, &["the wall's damping of 2 N.s/m alone needs", "of the device, which has 3"]);
 }
 
 /// A first force that no number holds is told as what it is, and not as no force at all.

@@ -33,7 +33,7 @@ pub use balance::Balance;
 pub(crate) use chatter::Chatter;
 pub(crate) use energies::Energies;
 pub(crate) use fate::{Fate, Watched};
-pub(crate) use force_error::ForceError;
+pub(crate) use force_error::{ForceError, SolidError};
 pub(crate) use given::device_damper;
 pub use linear::{Limits, LinearPart};
 pub(crate) use physical::Physical;

@@ -7,6 +7,10 @@ use crate::files::scene::{
 use crate::simulate::Stabilizing;
 use crate::text::{given, listed, shorten};
 
+/// The sentence above a scene on a page, without its full stop.
+pub(crate) const EVERY_NUMBER: &str = "Every number, with its default in place; where environment_rate and damping_cap are not \
+     written, they follow from servo_rate and from the delay";
+
 /// The environment in a line, without its name.
 pub(crate) fn environment(scene: &Scene) -> String {
     scene.environment.kind().words(|number| given(number).to_string())

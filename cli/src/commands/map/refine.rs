@@ -1,4 +1,4 @@
-//! `lyapunov map --refine`: the edge of stability from few runs.
+//! `lyapunov map --refine`: the edge of bounded runs from few runs.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ const RESULTS: &str = "refined.json";
 const BAR: &str = "{spinner} {human_pos} cells judged, {elapsed}";
 
 impl Map {
-    /// Finds the edge of stability on `grid`.
+    /// Finds the edge of bounded runs on `grid`.
     pub(super) fn refine(&self, grid: &Grid, run: &Run<'_>) -> Result<(), End> {
         let inputs = Inputs::scene(self.scene.as_deref().unwrap_or(Path::new("")), &grid.scene);
         let files = names(RESULTS, ["edge"], ["judged.csv"]);

@@ -137,7 +137,7 @@ pub(super) fn example(key: &str, axes: usize) -> String {
     format!("[{}]", (0..axes).map(number).collect::<Vec<_>>().join(", "))
 }
 
-/// The unit of a key of a scene; empty if it has none.
+/// The unit of a key of a scene, without the range that may follow it for messages; empty if it has none.
 pub(crate) fn unit(key: &str) -> &'static str {
-    BOOK.find(key).map_or("", |key| key.unit)
+    BOOK.find(key).map_or("", |key| key.unit.split(',').next().unwrap_or_default())
 }

@@ -2,16 +2,16 @@
 
 use std::ops::ControlFlow;
 
-use lyapunov::{ParameterError, Signal};
-use num_traits::Zero;
+use lyapunov::ParameterError;
 
 use super::account::{Account, Balance};
 use super::body::{Body, Masses};
 use crate::files::Scene;
 use crate::measure::fate::Fate;
-use crate::measure::law::{Law, Motion};
+use crate::measure::force_error::SolidError;
 use crate::measure::linear::LinearPart;
 use crate::measure::sanity::{Oddity, RunSigns};
+use crate::measure::share::Share;
 use crate::measure::verdict::{Verdict, Yardstick};
 use crate::measure::watch::Watch;
 use crate::simulate::{Rollout, Space};
@@ -43,8 +43,8 @@ pub(crate) struct Trial {
 pub(crate) struct Feel {
     /// Largest force on the plant, N.
     pub(crate) peak: f64,
-    /// Root mean square of the force on the plant minus the law's on the true motion, in contact, N.
-    pub(crate) error: f64,
+    /// The [force error](SolidError), N; none without a contact with a wall or a solid.
+    pub(crate) error: Option<f64>,
 }
 
 impl Trial {
@@ -62,20 +62,18 @@ impl Trial {
     ) -> Result<Self, ParameterError> {
         let (mut fate, mut signs) = (Fate::of(scene), RunSigns::new(scene));
         let mut account = Account::<V::Double>::new::<V>(scene, Body::of(scene)?);
-        let (mut peak, mut square, mut touched) = (0.0_f64, 0.0, 0_u64);
-        let law = Law::<V::Double>::of(scene);
+        let (mut peak, mut error) = (0.0_f64, SolidError::<V::Double>::of(scene));
+        let mut share = Share::<V::Double>::new::<V>(scene);
         let mut open = true;
         for (tick, number) in rollout.zip(1..) {
             fate.add_tick(&tick);
             signs.add(&tick);
             let [position, velocity] = Masses::at(&tick).device;
-            let (applied, none) = (tick.applied.double(), V::Double::zero());
+            let applied = tick.applied.double();
             peak = peak.max(applied.length());
-            let motion = Motion { time: tick.time, position, velocity, acceleration: none };
-            let ideal = law.force(motion);
-            if tick.environment.double() != none || ideal != none {
-                square += (applied - ideal).inner(applied - ideal);
-                touched += 1;
+            let environment = share.split(&tick).environment;
+            if let Some(error) = &mut error {
+                error.add([position, velocity], applied, environment);
             }
             let near = position.length() < FAR && velocity.length() < FAR;
             open = open && near && account.add(&tick);
@@ -85,7 +83,7 @@ impl Trial {
         }
         let moved = account.size();
         let (whole, first) = account.finish();
-        let error = if touched > 0 { (square / touched as f64).sqrt() } else { 0.0 };
+        let error = error.and_then(|error| error.root_mean_square());
         let (verdict, verdict_by) = (fate.verdict(0), fate.verdict_by(0));
         let (left_range, look_at) = (!fate.is_complete(), signs.finish(scene));
         let feel = Feel { peak, error };

@@ -4,7 +4,7 @@ use lyapunov::bodies::Impedance;
 
 use super::{LinearPart, NotLinear, rules};
 use crate::files::scene::{Filter, Scene, Velocity};
-use crate::text::given;
+use crate::text::{found, given};
 
 /// The largest stiffness of a scene's environment by each formula, N/m; its `Display` is the table of `lyapunov bound`.
 ///
@@ -98,7 +98,7 @@ fn notes(
         "no stiffness is passive with an exact velocity: a sample of it costs no energy",
     );
     if passive == Some(0.0) && scene.velocity != Velocity::Exact {
-        damping_note(part).into_iter().for_each(|text| note(true, &text));
+        damping_note(scene, part).into_iter().for_each(|text| note(true, &text));
     }
     note(
         range == Some([0.0, 0.0]),
@@ -125,19 +125,38 @@ fn notes(
         kind.impedance().is_some_and(|it| it.mass > 0.0),
         "Gil's rule knows nothing of the environment's mass",
     );
+    note(
+        scene.link.is_some(),
+        "Gil's rule knows nothing of the link: it takes hand and device as one mass",
+    );
     note(effects.jitter.is_some(), "the period is the nominal one, without jitter");
     note(scene.operator.grip.is_some(), "the grip is the one at the start");
     note(scene.stabilizer.is_some(), "the limits are those of the loop without its stabilizer");
     notes
 }
 
-/// The wall's damper as the reason why no stiffness is passive: a sampled one has to be paid by the device's own.
-fn damping_note(part: Result<LinearPart, NotLinear>) -> Option<String> {
-    let LinearPart { environment, device, .. } = part.ok()?;
-    let [wall, own] = [environment.damping, device.damping].map(given);
-    (environment.damping > device.damping).then(|| {
+/// The reason why no stiffness is passive: sampled damping and mass have to be paid by the device's own damping, and so has any
+/// spring.
+fn damping_note(scene: &Scene, part: Result<LinearPart, NotLinear>) -> Option<String> {
+    let part = part.ok()?;
+    let LinearPart { environment, device, .. } = part;
+    let alone = LinearPart { environment: Impedance { stiffness: 0.0, ..environment }, ..part };
+    let (needed, own) = (alone.passive_damping(), given(device.damping));
+    if needed == 0.0 {
+        return (device.damping == 0.0).then(|| {
+            "no stiffness is passive: the device has no damping, and a sampled spring needs some"
+                .to_owned()
+        });
+    }
+    let (name, damping) = (scene.environment.name(), given(environment.damping));
+    let parts = match environment.mass > 0.0 {
+        true => format!("mass, with a damping of {damping} N.s/m,"),
+        false => format!("damping of {damping} N.s/m"),
+    };
+    (needed >= device.damping).then(|| {
         format!(
-            "no stiffness is passive: the wall's damping {wall} is above the device's {own} N.s/m"
+            "no stiffness is passive: the {name}'s {parts} alone needs {} N.s/m of the device, which has {own}",
+            found(needed)
         )
     })
 }
@@ -160,4 +179,31 @@ fn friction_notes(scene: &Scene) -> Vec<&'static str> {
         (damps, "the limit of friction and encoder knows nothing of the wall's damper"),
     ];
     all.into_iter().filter_map(|(holds, text)| holds.then_some(text)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The notes on a scene with `more`, and whether its own stiffness is within Gil's rule and the exact limit.
+    fn of(more: &str) -> (Vec<String>, [bool; 2]) {
+        let text = format!(
+            "duration = 3\nservo_rate = 1000\ndevice = {{ mass = 0.12, damping = 0.3 }}\n\
+             operator = {{ mass = 0.15, damping = 4, stiffness = 400, rest = 0.02 }}\n\
+             environment.wall = {{ stiffness = 2500, damping = 1 }}\neffects.delay.ticks = 1\n{more}"
+        );
+        let limits = Limits::of(&Scene::parse(&text, "test").unwrap());
+        let within = |limit: Option<f64>| limit.is_some_and(|limit| limit > 2500.0);
+        (limits.notes, [limits.gil, limits.exact].map(within))
+    }
+
+    /// A soft link lets the device swing on its own, and Gil's rule passes what is not stable.
+    #[test]
+    fn a_link_is_told_to_be_none_of_gil_s_rule() {
+        let is_told = |notes: &[String]| notes.iter().any(|note| note.contains("of the link"));
+        let (notes, within) = of("");
+        assert_eq!((is_told(&notes), within), (false, [true, true]));
+        let (notes, within) = of("link = { stiffness = 800, damping = 0.2 }\n");
+        assert_eq!((is_told(&notes), within), (true, [true, false]));
+    }
 }

@@ -3,6 +3,7 @@
 mod fit;
 mod hold;
 mod log;
+mod miscount;
 mod reading;
 mod run;
 mod scene;
@@ -32,6 +33,8 @@ pub enum Sign {
     Reading,
     /// A stabilizer stands before an environment that it does not assume.
     Outside,
+    /// A stabilizer brakes for a debt that is none of the true port.
+    Miscounted,
 }
 
 /// One sign of a mistake, in a sentence that says what was seen and where.

@@ -3,6 +3,7 @@
 use lyapunov::environments::Time;
 use lyapunov::{Mask, Scalar};
 
+use super::miscount::Miscount;
 use super::{Oddity, Sign, scene};
 use crate::files::Scene;
 use crate::simulate::{Space, Tick};
@@ -30,6 +31,7 @@ pub(crate) struct RunSigns {
     limit: f64,
     /// What the controller set out to dissipate, J.
     asked: f64,
+    miscount: Miscount,
 }
 
 impl RunSigns {
@@ -47,6 +49,7 @@ impl RunSigns {
             clipped: 0,
             limit: CLIPPED * limit,
             asked: 0.0,
+            miscount: Miscount::default(),
         }
     }
 
@@ -78,6 +81,7 @@ impl RunSigns {
             });
             self.asked += power.sum::<f64>();
         }
+        self.miscount.add(tick);
         self.ticks += 1;
     }
 
@@ -89,7 +93,10 @@ impl RunSigns {
     /// The signs of a run of `scene`, those of the scene's own numbers first.
     pub(crate) fn finish(&self, scene: &Scene) -> Vec<Oddity> {
         let mut signs = scene::signs(scene);
-        let further = [self.idle(scene), self.clipped(), self.driven()];
+        // A position in a wrong unit is the cause, and told already.
+        let has_unit = signs.iter().any(|it| it.sign == Sign::Unit);
+        let miscount = self.miscount.finish().filter(|_| !has_unit);
+        let further = [self.idle(scene), self.clipped(), self.driven(), miscount];
         signs.extend(further.into_iter().flatten());
         signs
     }
@@ -107,7 +114,7 @@ impl RunSigns {
             };
             let most = found(self.environment);
             return is_idle.then(|| {
-                let text = format!("f_env reaches {most} N, and f_act is 0 on all {ticks} ticks");
+                let text = format!("f_env reaches {most} N, and f_act is 0 {}", on_all(ticks));
                 Oddity::new(Sign::Idle, format!("{text}: {why}"))
             });
         }
@@ -118,7 +125,7 @@ impl RunSigns {
             let text = "no answer of the environment arrives: effects.dropout.probability is 1";
             return Some(Oddity::new(Sign::Idle, text));
         }
-        let text = format!("f_env is 0 on all {ticks} ticks: {}", self.out_of_touch(scene));
+        let text = format!("f_env is 0 {}: {}", on_all(ticks), self.out_of_touch(scene));
         Some(Oddity::new(Sign::Untouched, text))
     }
 
@@ -158,4 +165,9 @@ impl RunSigns {
             Oddity::new(Sign::Reversed, text)
         })
     }
+}
+
+/// All ticks of a run, in words.
+fn on_all(ticks: u64) -> String {
+    if ticks == 1 { "on its only tick".to_owned() } else { format!("on all {ticks} ticks") }
 }

@@ -14,7 +14,7 @@ use super::entrants::Entrants;
 use super::score::Score;
 use super::{broken, cost, picture, table};
 use crate::files::Scene;
-use crate::files::scene::Conflict;
+use crate::files::scene::{Conflict, Scalar};
 use crate::measure::Oddity;
 use crate::simulate::Space;
 use crate::simulate::family::Settings;
@@ -54,6 +54,8 @@ pub enum CompareError {
         scene: String,
         /// The parameter's error.
         error: ParameterError,
+        /// The scalar that the scene names: another range may be the remedy.
+        scalar: Scalar,
     },
     /// A stabilizer for one dimension on a scene in a space.
     Axes {
@@ -69,9 +71,14 @@ pub enum CompareError {
 impl fmt::Display for CompareError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Parameter { stabilizer, scene, error } => {
+            Self::Parameter { stabilizer, scene, error, scalar } => {
                 write!(f, "{scene}: {stabilizer} cannot run here: {error}\n  = ")?;
-                f.write_str("change that value in the scene, or compute in f64 if it says f32")
+                match scalar {
+                    Scalar::F32 => f.write_str("change that value in the scene, or compute in f64"),
+                    Scalar::F64 => {
+                        write!(f, "change that value in the scene, or leave {stabilizer} out")
+                    }
+                }
             }
             Self::Axes { scene, conflict } => {
                 write!(f, "{scene}: {}\n  = {}", conflict.problem(), conflict.remedy())
@@ -109,8 +116,8 @@ impl Comparison {
     ) -> Result<Self, CompareError> {
         let refused = |stabilizer: &str, reason| match reason {
             RunError::Parameter(error) => {
-                let (stabilizer, scene) = (stabilizer.to_owned(), name.to_owned());
-                CompareError::Parameter { stabilizer, scene, error }
+                let (stabilizer, named) = (stabilizer.to_owned(), name.to_owned());
+                CompareError::Parameter { stabilizer, scene: named, error, scalar: scene.scalar }
             }
             RunError::Stopped => CompareError::Stopped,
         };

@@ -3,11 +3,9 @@
 use std::fmt;
 
 use lyapunov::Signal;
-use lyapunov::environments::Solid;
 
 use crate::files::scene::Scene;
-use crate::measure::ForceError;
-use crate::measure::law::{Law, Motion};
+use crate::measure::SolidError;
 use crate::measure::stiffness_felt::LONG;
 use crate::simulate::Space;
 
@@ -24,23 +22,14 @@ pub(super) struct Touch<V> {
     pub(super) environment: V,
 }
 
-impl<V: Space<Scalar = f64>> Touch<V> {
-    /// The force of the environment's law on the true motion, without sampling, hold, encoder, saturation or delay, N.
-    fn ideal(&self, law: &Law<V>) -> V {
-        let (position, velocity) = (self.position, self.velocity);
-        law.force(Motion { time: 0.0, position, velocity, acceleration: V::zero() })
-    }
-}
-
 /// Watches contacts: unbroken runs of ticks on which the environment's force acts.
 pub(super) struct Contacts<V: Signal> {
-    /// The wall or solid that transparency is measured against, and its law; the other meters need none.
-    solid: Option<(Box<dyn Solid<V>>, Law<V>)>,
+    /// None without the wall or solid that it is measured against; the other meters need none.
+    error: Option<SolidError<V>>,
     long: f64,
     now: Contact,
     short_peak: Option<f64>,
     long_peak: Option<f64>,
-    error: ForceError<V>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -58,12 +47,11 @@ impl<V: Signal> fmt::Debug for Contacts<V> {
 impl<V: Space<Scalar = f64>> Contacts<V> {
     pub(super) fn new(scene: &Scene) -> Self {
         Self {
-            solid: V::solid(scene).map(|solid| (solid, Law::of(scene))),
+            error: SolidError::of(scene),
             long: LONG * scene.servo_rate.get(),
             now: Contact::default(),
             short_peak: None,
             long_peak: None,
-            error: ForceError::new(),
         }
     }
 
@@ -75,9 +63,8 @@ impl<V: Space<Scalar = f64>> Contacts<V> {
         } else {
             self.end();
         }
-        if let Some((solid, law)) = &self.solid {
-            let depth = solid.nearest(touch.position).depth;
-            self.error.add(touch.force, touch.ideal(law), touch.environment.length(), depth);
+        if let Some(error) = &mut self.error {
+            error.add([touch.position, touch.velocity], touch.force, touch.environment);
         }
     }
 
@@ -104,7 +91,7 @@ impl<V: Space<Scalar = f64>> Contacts<V> {
 
     /// Root mean square of `f_act − f_ideal` in contact, N.
     pub(super) fn force_error(&self) -> Option<f64> {
-        self.error.root_mean_square(0)
+        self.error.as_ref().and_then(SolidError::root_mean_square)
     }
 }
 
@@ -163,11 +150,13 @@ mod tests {
 
     #[test]
     fn the_ideal_wall_never_pulls_and_knows_the_surface() {
-        let wall = Law::of(&scene("")); // 1000 N/m, 2 N·s/m, surface at 1 mm
-        let at = |position: f64, velocity: f64| Touch { velocity, ..tick(position, 0.0, 0.0) };
-        assert_eq!(at(0.001, 1.0).ideal(&wall), 0.0);
-        assert_eq!(at(0.0005, 1.0).ideal(&wall), 0.0);
-        assert_abs_diff_eq!(at(0.003, 0.5).ideal(&wall), 3.0, epsilon = 1e-12);
-        assert_eq!(at(0.003, -5.0).ideal(&wall), 0.0);
+        // 1000 N/m, 2 N·s/m, surface at 1 mm; the error of a force of 1 N, which counts before the surface too.
+        let off = |position: f64, velocity: f64| {
+            after(&[Touch { velocity, ..tick(position, 1.0, 0.0) }]).force_error().unwrap()
+        };
+        assert_eq!(off(0.001, 1.0), 1.0);
+        assert_eq!(off(0.0005, 1.0), 1.0);
+        assert_abs_diff_eq!(off(0.003, 0.5), 3.0 - 1.0, epsilon = 1e-12);
+        assert_eq!(off(0.003, -5.0), 1.0);
     }
 }

@@ -13,8 +13,11 @@ use crate::measure::{Balance, Verdict};
 use crate::show::csv::{self, Field};
 use crate::show::energy_bars;
 use crate::simulate::{Rollout, Space};
-use crate::text::file_name;
+use crate::text::{file_name, shortened_names};
 use lyapunov_figures::Figure;
+
+/// Room for the names of a row, in characters.
+const ROOM: usize = 30;
 
 /// The energies by cause of each entrant's whole run; docs/explain.md has the equations.
 #[derive(Clone, Debug)]
@@ -50,6 +53,7 @@ impl Energies {
                 stabilizer: name.clone(),
                 scene: comparison.name.clone(),
                 error,
+                scalar: scene.scalar,
             })?;
             match watch(scene.ticks() + 1) {
                 ControlFlow::Continue(()) => Ok((name.clone(), Some(told))),
@@ -60,10 +64,18 @@ impl Energies {
         Ok(Self { title, rows: rows.collect::<Result<_, _>>()? })
     }
 
-    /// Two bars for each entrant: the energy that came in, and where it went.
+    /// Two bars for each entrant: the energy that came in, and where it went; equal balances once.
     pub fn figure(&self) -> Figure {
-        let rows: Vec<_> =
-            self.rows.iter().map(|(name, balance)| (name.clone(), balance.as_ref())).collect();
+        let mut rows: Vec<(Vec<&str>, Option<&Balance>)> = Vec::new();
+        for (name, balance) in &self.rows {
+            let known = rows.iter_mut().find(|row| row.1.is_some() && row.1 == balance.as_ref());
+            match known {
+                Some((names, _)) => names.push(name),
+                None => rows.push((vec![name], balance.as_ref())),
+            }
+        }
+        let named = |(names, balance): (Vec<&str>, _)| (shortened_names(&names, ROOM), balance);
+        let rows: Vec<_> = rows.into_iter().map(named).collect();
         let title = "energy by cause: came in (upper bars), went (lower bars)";
         let height = energy_bars::ROW * rows.len() as f64;
         Figure::new(self.title.clone())

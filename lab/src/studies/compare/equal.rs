@@ -39,10 +39,13 @@ impl<'a> Equals<'a> {
         self.0.len() > 1
     }
 
-    /// All names, `popc = lolc-spring`.
+    /// All names, each with the median of what its step costs, which is not equal: in ns: `popc (2.40) = lolc-spring (3.10)`.
     pub(super) fn names(&self) -> String {
-        let names: Vec<&str> = self.scores().map(|score| &score.stabilizer[..]).collect();
-        names.join(" = ")
+        let names = self.scores().map(|score| match score.step_time {
+            Some(time) => format!("{} ({:.2})", score.stabilizer, time.median),
+            None => score.stabilizer.clone(),
+        });
+        names.collect::<Vec<_>>().join(" = ")
     }
 
     /// All names for a narrow place.

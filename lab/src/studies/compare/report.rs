@@ -55,7 +55,7 @@ fn section(index: usize, comparison: &Comparison, figures: &[(&Figure, &str)]) -
             @if let Some(by) = by_speed(&comparison.scene) { " Judged " (by) "." }
         }
         @if !equal.is_empty() {
-            p { "Equal in every number and every curve as they are shown, and shown once:" }
+            p { "Equal in every number and every curve as they are shown, and shown once, each name with the median ns of a step:" }
             ul { @for names in &equal { li { (names) } } }
         }
         @for table in tables(comparison) { (table.to_html("short")) }

@@ -59,7 +59,7 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
         writeln!(f, "{}", sign.line(comparison.outcomes.len()))?;
     }
     for names in equal_names(comparison) {
-        writeln!(f, "{}", folded("equal as shown, shown once: ", &names))?;
+        writeln!(f, "{}", folded("equal as shown (median ns of a step): ", &names))?;
     }
     tables(comparison).iter().try_for_each(|table| write!(f, "\n{table}"))
 }
@@ -92,25 +92,25 @@ pub(super) fn tables(comparison: &Comparison) -> Vec<Table> {
     [&BEHAVIOUR[..], &FEEL, &PHYSICAL].map(of).into()
 }
 
-/// The cell of a group; what a step costs differs within it.
+/// The cell of a group; what a step costs differs within it: the medians, which the line of the names tells one by one.
 fn cell(column: Column, group: &Equals<'_>) -> Cell {
-    let several = |of: &dyn Fn(&super::Score) -> Option<f64>, decimals: usize| {
+    let several = |of_what: &str, of: &dyn Fn(&super::Score) -> Option<f64>, decimals: usize| {
         let values: Vec<f64> = group.scores().filter_map(of).collect();
         let low = values.iter().copied().reduce(f64::min);
         let high = values.iter().copied().reduce(f64::max);
         let told = low.zip(high).map(|(low, high)| match low == high {
-            true => format!("{low:.decimals$}"),
-            false => format!("{low:.decimals$} to {high:.decimals$}"),
+            true => format!("{of_what}{low:.decimals$}"),
+            false => format!("{of_what}{low:.decimals$} to {high:.decimals$}"),
         });
         Cell::from(told)
     };
     match column {
         Column::Stabilizer => group.short_name(ROOM).into(),
         Column::StepTime if group.are_many() => {
-            several(&|score| score.step_time.map(|time| time.median), 2)
+            several("medians ", &|score| score.step_time.map(|time| time.median), 2)
         }
         Column::StateBytes if group.are_many() => {
-            several(&|score| Some(score.state_bytes as f64), 0)
+            several("", &|score| Some(score.state_bytes as f64), 0)
         }
         _ => column.cell(&group.first().score),
     }
@@ -163,6 +163,12 @@ mod tests {
         }
         let shown = comparison.to_string();
         let rows = shown.lines().filter(|line| line.starts_with("popc = "));
-        assert!(rows.into_iter().any(|row| row.contains("2.25 to 8.00  16 to 24")), "{shown}");
+        let told = "medians 2.25 to 8.00  16 to 24";
+        assert!(rows.into_iter().any(|row| row.contains(told)), "{shown}");
+        let words: Vec<&str> = shown.split_whitespace().collect();
+        let line = words.join(" ");
+        for words in ["equal as shown (median ns of a step): ", "popc (2.25) = "] {
+            assert!(line.contains(words), "{words}: {shown}");
+        }
     }
 }

@@ -13,7 +13,7 @@ use crate::measure::timing::quartiles;
 use crate::show::csv::{self, Field};
 use crate::simulate::family::BasicName;
 use crate::simulate::{Criterion, Space};
-use crate::text::{file_name, found, given};
+use crate::text::{file_name, found, given, shortened_names};
 use lyapunov_figures::{Figure, Panel, Series};
 
 /// The number of values of the wall's stiffness, and of its damping.
@@ -41,7 +41,15 @@ pub struct TradeOff {
     rows: Vec<(String, usize, Option<f64>)>,
     walls: usize,
     common: usize,
+    /// Walls that are bounded under `none`, where that takes part.
+    alone: Option<usize>,
 }
+
+/// Common walls below which their median says little.
+const FEW: usize = 10;
+
+/// Room for the names of a row, in characters.
+const ROOM: usize = 30;
 
 impl TradeOff {
     /// The number of runs for each entrant, and the ticks of each; none if the scene has no wall, or is too short to judge.
@@ -73,6 +81,7 @@ impl TradeOff {
                     stabilizer: entrant.name.clone(),
                     scene: comparison.name.clone(),
                     error,
+                    scalar: scene.scalar,
                 },
             })?;
             match watch(scene.ticks() + 1) {
@@ -114,23 +123,68 @@ impl TradeOff {
             let middle = (counts(index) && !own.is_empty()).then(|| quartiles(own)[1]);
             (name.clone(), held[index], middle)
         });
-        Self { title, rows: rows.collect(), walls: errors.len(), common: common.len() }
+        let alone = (0..names.len()).find(|index| is_nobody(*index)).map(|index| held[index]);
+        let (walls, common) = (errors.len(), common.len());
+        Self { title, rows: rows.collect(), walls, common, alone }
     }
 
-    /// A bar for the bounded walls and one for the force error, side by side.
+    /// The reason why there are no common walls, or few; none where there are enough.
+    pub fn note(&self) -> Option<String> {
+        let Self { walls, common, .. } = *self;
+        let alone = self.alone.filter(|alone| *alone > 0);
+        let left_out = alone.map_or_else(String::new, |alone| {
+            format!("; {alone} of {walls} are bounded without a stabilizer and left out")
+        });
+        match (common, alone) {
+            (0, Some(alone)) if alone == walls => {
+                let why = "all are bounded without a stabilizer, and none shows what one costs";
+                Some(format!("No wall is common: {why}"))
+            }
+            (0, _) => Some(format!(
+                "No wall is common: no other is bounded under all stabilizers{left_out}"
+            )),
+            (common, _) if common < FEW => {
+                Some(format!("Common walls: {common} only, whose median says little{left_out}"))
+            }
+            _ => None,
+        }
+    }
+
+    /// The rows with the names of those that are equal: the share of bounded walls in percent, and the force error.
+    fn drawn(&self) -> Vec<(String, f64, f64)> {
+        let mut rows: Vec<(Vec<&str>, usize, Option<f64>)> = Vec::new();
+        for (name, bounded, error) in &self.rows {
+            match rows.iter_mut().find(|row| (row.1, row.2) == (*bounded, *error)) {
+                Some((names, ..)) => names.push(name),
+                None => rows.push((vec![name], *bounded, *error)),
+            }
+        }
+        let share = |bounded: usize| 100.0 * bounded as f64 / self.walls as f64;
+        let told = rows.into_iter().map(|(names, bounded, error)| {
+            (shortened_names(&names, ROOM), share(bounded), error.unwrap_or(f64::NAN))
+        });
+        told.collect()
+    }
+
+    /// A bar for the bounded walls and one for the force error, side by side; equal rows once.
     pub fn figure(&self) -> Figure {
-        let names: Vec<String> = self.rows.iter().map(|(name, ..)| name.clone()).collect();
+        let rows = self.drawn();
+        let names: Vec<String> = rows.iter().map(|(name, ..)| name.clone()).collect();
         let panel = |title: &str, label: &str, colour: usize, of: &dyn Fn(usize) -> f64| {
             let bars = (0..names.len()).map(|row| (0.0, of(row), -(row as f64)));
             Panel::new(title, label, "")
                 .with_series(Series::bars("", colour, &bars.collect::<Vec<_>>()))
                 .with_rows(names.clone())
         };
-        let share = |row: usize| 100.0 * self.rows[row].1 as f64 / self.walls as f64;
-        let error = |row: usize| self.rows[row].2.unwrap_or(f64::NAN);
+        let (share, error) = (|row: usize| rows[row].1, |row: usize| rows[row].2);
         let shares =
             panel(&format!("settles or swings, of {} walls", self.walls), "share, %", 0, &share);
-        let title = format!("force error, common walls: {}", self.common);
+        let title = match self.alone {
+            Some(alone) if alone == self.walls => {
+                "force error: all walls hold without a stabilizer".to_owned()
+            }
+            _ => format!("force error, common walls: {}", self.common),
+        };
         let errors = panel(&title, "force error, N rms, median", 1, &error);
         let height = (ROW * names.len() as f64).max(3.0 * ROW);
         Figure::new(self.title.clone())
@@ -191,4 +245,38 @@ fn walls(scene: &Scene) -> Vec<Scene> {
         with.check().ok().filter(|scene| Criterion::of(scene).shortage.is_none())
     };
     if stiffness > 0.0 { (0..VALUES * VALUES).filter_map(with).collect() } else { Vec::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The trade-off of `names` on walls with these errors.
+    fn of(names: &[&str], errors: &[&[Option<f64>]]) -> TradeOff {
+        let names = names.iter().map(|name| (*name).to_owned()).collect();
+        let errors: Vec<_> = errors.iter().map(|wall| wall.to_vec()).collect();
+        TradeOff::told("walls".to_owned(), names, &errors)
+    }
+
+    #[test]
+    fn walls_that_are_not_common_have_their_reason() {
+        let names = ["none", "popc"];
+        let note = |errors: &[&[Option<f64>]]| of(&names, errors).note().unwrap_or_default();
+        let (held, grows) = (Some(0.5), None);
+        assert!(note(&[&[held, held], &[held, held]]).contains("all are bounded without"));
+        let some = note(&[&[held, held], &[grows, grows]]);
+        assert!(some.contains("no other is bounded under all stabilizers"), "{some}");
+        assert!(some.contains("1 of 2 are bounded without"), "{some}");
+        assert!(note(&[&[grows, held], &[held, held]]).contains("Common walls: 1 only"));
+        let wall: &[Option<f64>] = &[grows, held];
+        assert_eq!(of(&names, &[wall; FEW]).note(), None);
+    }
+
+    #[test]
+    fn equal_rows_are_drawn_once() {
+        let walls: [&[Option<f64>]; 2] = [&[Some(0.5); 3], &[None, Some(0.5), Some(0.5)]];
+        let drawn = of(&["slow", "popc", "lolc-spring"], &walls).drawn();
+        let drawn: Vec<_> = drawn.iter().map(|(name, share, _)| (&name[..], *share)).collect();
+        assert_eq!(drawn, [("slow", 50.0), ("popc = lolc-spring", 100.0)]);
+    }
 }

@@ -22,7 +22,7 @@ impl Costs {
                 p { "The scene names no effect." }
             } @else {
                 (html::figure(Some("effects"), &self.figure(), &html! {
-                    "Logarithmic; an effect whose cost is within its spread has no dot."
+                    "Logarithmic; a cost within its spread, or below 0 where a step is faster with the effect, has no dot."
                 }))
             }
             h2 { "Price list" }

@@ -36,7 +36,7 @@ struct Tried {
     set: Map<String, Value>,
     verdict: Verdict,
     peak_force_n: f64,
-    force_error_rms_n: f64,
+    force_error_rms_n: Option<f64>,
 }
 
 impl Explanation {

@@ -1,6 +1,7 @@
 //! Reasons why a run settles, swings or grows, in words and in joules: `lyapunov explain`.
 
 mod document;
+mod goal;
 mod groups;
 mod hint;
 mod picture;
@@ -43,8 +44,9 @@ pub struct Explanation {
     pub whole_run: Balance,
     /// The largest force on the plant, N.
     pub peak_force: f64,
-    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
-    pub force_error: f64,
+    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N; none without a
+    /// contact with a wall or a solid.
+    pub force_error: Option<f64>,
     /// The remedies, each tried; none where none is needed, and where no force acts.
     pub remedies: Vec<Remedy>,
     /// The signs of a mistake in the scene or its run.
@@ -76,16 +78,9 @@ impl Explanation {
     fn along<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Self, ParameterError> {
         let trial = Trial::along(scene, Rollout::<V>::of(scene)?, watch)?;
         let limits = Limits::of(scene);
-        let is_unstable =
-            scene.stabilizer.is_none() && limits.spectral_radius.is_some_and(|it| it > 1.0);
         let outside = scene.stabilizer.and_then(|own| Oddity::outside(scene, own));
         let look_at = trial.look_at.into_iter().chain(outside).collect();
-        let acts = trial.feel.peak != 0.0;
-        let passes = !trial.left_range && hint::is_transient(scene);
-        let grows = trial.verdict == Verdict::Grows && !passes;
-        let needs_one = acts && (grows || is_unstable);
-        let remedies = if needs_one { remedy::remedies::<V>(scene, watch) } else { vec![] };
-        Ok(Self {
+        let explanation = Self {
             scene: scene.clone(),
             verdict: trial.verdict,
             verdict_by: trial.verdict_by,
@@ -96,8 +91,11 @@ impl Explanation {
             whole_run: trial.whole,
             peak_force: trial.feel.peak,
             force_error: trial.feel.error,
-            remedies,
+            remedies: Vec::new(),
             look_at,
-        })
+        };
+        let goal = explanation.goal();
+        let remedies = goal.map_or_else(Vec::new, |it| remedy::remedies::<V>(scene, it, watch));
+        Ok(Self { remedies, ..explanation })
     }
 }

@@ -3,6 +3,7 @@
 use std::iter;
 
 use super::Watch;
+use super::goal::Goal;
 use crate::files::scene::{
     Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
 };
@@ -29,7 +30,7 @@ const FASTER_TRIALS: i32 = 5;
 /// The damping caps that a stabilizer is tried with where they are below the default, as multiples of m / T.
 const CAPS: [f64; 4] = [0.25, 0.1, 0.05, 0.02];
 
-/// Change of a scene after which its run does not grow.
+/// Change of a scene after which its run does not grow or, where its own is swinging already, settles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Remedy {
     /// The keys of the scene that change, with their new values.
@@ -40,8 +41,9 @@ pub struct Remedy {
     pub verdict: Verdict,
     /// Largest force on the plant in that run, N.
     pub peak_force: f64,
-    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N.
-    pub force_error: f64,
+    /// Root mean square of the force on the plant minus that of the environment's own law, in contact, N; none without a
+    /// contact with a wall or a solid.
+    pub force_error: Option<f64>,
 }
 
 /// New value of a key.
@@ -53,29 +55,42 @@ pub enum Change {
     Word(&'static str),
 }
 
-/// All remedies found for the loop of `scene`.
-pub(super) fn remedies<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Vec<Remedy> {
+/// All remedies found for the loop of `scene`, whose runs reach `goal`.
+pub(super) fn remedies<V: Space>(scene: &Scene, goal: Goal, watch: &Watch<'_>) -> Vec<Remedy> {
     let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
         return Vec::new();
     };
-    let found = [softer::<V>(&bare, watch), faster::<V>(&bare, watch), damped::<V>(&bare, watch)];
-    found.into_iter().flatten().chain(stabilized::<V>(&bare, watch)).collect()
+    let search = Search { goal, watch };
+    let found =
+        [softer::<V>(&bare, &search), faster::<V>(&bare, &search), damped::<V>(&bare, &search)];
+    found.into_iter().flatten().chain(stabilized::<V>(&bare, &search)).collect()
 }
 
-fn remedy<V: Space>(
-    scene: Scene,
-    changes: Vec<(String, Change)>,
-    watch: &Watch<'_>,
-) -> Option<Remedy> {
-    if watch(0).is_break() {
-        return None;
+/// Search for changes whose run reaches a goal.
+struct Search<'a> {
+    goal: Goal,
+    watch: &'a Watch<'a>,
+}
+
+impl Search<'_> {
+    fn is_stopped(&self) -> bool {
+        (self.watch)(0).is_break()
     }
-    let Trial { verdict, feel: Feel { peak, error }, .. } = Trial::that_holds::<V>(&scene, watch)?;
-    Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
+
+    /// The changes that made `scene`, if its run reaches the goal.
+    fn tried<V: Space>(&self, scene: Scene, changes: Vec<(String, Change)>) -> Option<Remedy> {
+        if self.is_stopped() {
+            return None;
+        }
+        let trial = Trial::that_holds::<V>(&scene, self.watch);
+        let trial = trial.filter(|trial| self.goal.is_reached(trial.verdict))?;
+        let Trial { verdict, feel: Feel { peak, error }, .. } = trial;
+        Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
+    }
 }
 
 /// The largest stiffness whose loop holds.
-fn softer<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
+fn softer<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let own = scene.environment.kind().impedance()?.stiffness;
     let limit = LinearPart::of(scene).ok().and_then(|part| part.stable_stiffness());
     let most = match limit {
@@ -89,12 +104,12 @@ fn softer<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
         let mut softer = scene.to_draft();
         softer.environment.kind_mut().set_stiffness(stiffness)?;
         let key = format!("environment.{}.stiffness", softer.environment.name());
-        remedy::<V>(softer.check().ok()?, vec![(key, Change::Number(stiffness))], watch)
+        search.tried::<V>(softer.check().ok()?, vec![(key, Change::Number(stiffness))])
     })
 }
 
 /// The lowest rate at which the loop holds: the environment's, and if that already is the servo's, both.
-fn faster<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
+fn faster<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let at = |servo: f64, ratio: u64| {
         let mut faster = scene.to_draft();
         faster.servo_rate = Positive::new(servo).ok()?;
@@ -105,14 +120,14 @@ fn faster<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
     let own = scene.servo_rate.get();
     let ratios = (1..scene.environment_ratio()).rev();
     for ratio in ratios {
-        if watch(0).is_break() {
+        if search.is_stopped() {
             return None;
         }
         let Some(faster) = at(own, ratio) else { continue };
         let rate = if ratio > 1 { own / ratio as f64 } else { own };
         let change = vec![("environment_rate".to_owned(), Change::Number(rate))];
         if decays(&faster)
-            && let Some(found) = remedy::<V>(faster, change, watch)
+            && let Some(found) = search.tried::<V>(faster, change)
         {
             return Some(found);
         }
@@ -125,12 +140,12 @@ fn faster<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
         if scene.environment_rate.is_some() {
             changes.push(("environment_rate".to_owned(), Change::Number(rate)));
         }
-        remedy::<V>(at(rate, 1)?, changes, watch)
+        search.tried::<V>(at(rate, 1)?, changes)
     })
 }
 
 /// The least damping of the device with which the loop holds.
-fn damped<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
+fn damped<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let own = scene.device.damping.get();
     // Starts from zero damping too: a share of the damping that stops the mass within a period.
     let unit = 1e-6 * scene.port_mass() / scene.period();
@@ -143,16 +158,13 @@ fn damped<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Option<Remedy> {
     let least = own + unit * (lowest(holds, 1e12)? - 1.0);
     (0..TRIALS).find_map(|trial| {
         let damping = rounded_up(least / MARGIN * FURTHER.powi(trial));
-        remedy::<V>(
-            at(damping)?,
-            vec![("device.damping".to_owned(), Change::Number(damping))],
-            watch,
-        )
+        let change = vec![("device.damping".to_owned(), Change::Number(damping))];
+        search.tried::<V>(at(damping)?, change)
     })
 }
 
 /// Each stabilizer with which the loop holds, with the largest of some damping limits.
-fn stabilized<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Vec<Remedy> {
+fn stabilized<V: Space>(scene: &Scene, search: &Search<'_>) -> Vec<Remedy> {
     let ledger = Ledger::default();
     let popc = |cap| Stabilizer::Popc(Popc { work: Work::Held, ledger, damping_cap: Some(cap) });
     let lolc = |cap| {
@@ -172,7 +184,7 @@ fn stabilized<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Vec<Remedy> {
                 changes.push(("stabilizer.lolc.candidate".to_owned(), word));
             }
             let draft = Draft { stabilizer, ..scene.to_draft() };
-            remedy::<V>(draft.check().ok()?, changes, watch)
+            search.tried::<V>(draft.check().ok()?, changes)
         })
     };
     [with("popc", &popc), with("lolc", &lolc)].into_iter().flatten().collect()

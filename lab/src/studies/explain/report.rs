@@ -41,14 +41,17 @@ impl Explanation {
             let (changes, outcome) = text.split_once('\n').unwrap_or((&text, ""));
             html! { li { code { (changes) } @for line in outcome.lines() { br; (line.trim()) } } }
         };
-        match (self.remedies.is_empty(), self.verdict) {
-            (true, Verdict::Grows) => html! { p { "Nothing that was tried helps." } },
-            (true, Verdict::TooShort) => html! { p { "The run is too short to judge." } },
-            (true, _) => html! { p { "Nothing needs to: the run does not grow." } },
-            _ => html! {
-                p { "Each by itself; all were run, and none grows." }
+        match self.goal() {
+            Some(_) if self.remedies.is_empty() => html! { p { "Nothing that was tried helps." } },
+            Some(goal) => html! {
+                p { "Each by itself; all were run, and " (goal.words()) "." }
                 ul { @for remedy in &self.remedies { (told(remedy)) } }
             },
+            None if self.verdict == Verdict::TooShort => {
+                html! { p { "The run is too short to judge." } }
+            }
+            None if self.peak_force == 0.0 => html! { p { "No force acts; nothing was tried." } },
+            None => html! { p { "The run does not grow; nothing was tried." } },
         }
     }
 }

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use super::hint::{LEFT, TRANSIENT, broken, is_transient};
+use super::hint::{LEFT, TRANSIENT, broken};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
-use crate::measure::{Balance, Verdict};
+use crate::measure::Balance;
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
@@ -18,18 +18,17 @@ impl fmt::Display for Explanation {
         write!(f, "{}", Heads(self))?;
         writeln!(f)?;
         self.write_balances(f)?;
-        if self.remedies.is_empty() {
-            let grows = self.verdict == Verdict::Grows;
+        let Some(goal) = self.goal() else {
             return match self.peak_force != 0.0 {
-                true if grows && !self.left_range && is_transient(&self.scene) => {
-                    writeln!(f, "\n  {TRANSIENT}")
-                }
-                true if grows => writeln!(f, "\n  nothing that was tried helps"),
+                true if self.is_transient() => writeln!(f, "\n  {TRANSIENT}"),
                 true => Ok(()),
                 false => writeln!(f, "\n  {}, so no change of the loop was tried", self.idle()),
             };
+        };
+        if self.remedies.is_empty() {
+            return writeln!(f, "\n  nothing that was tried helps");
         }
-        writeln!(f, "\n  what helps, each by itself; all were run, and none grows")?;
+        writeln!(f, "\n  what helps, each by itself; all were run, and {}", goal.words())?;
         for remedy in &self.remedies {
             writeln!(f, "  - {}", Told(remedy))?;
         }
@@ -182,18 +181,19 @@ const LINES: [(&str, Of); 15] = [
     ("left  to rounding", |it| it.closing),
 ];
 
-/// Largest force of a run, and the error of its force.
-struct Felt(f64, f64);
+/// Largest force of a run, and the error of its force, if it has one.
+struct Felt(f64, Option<f64>);
 
 impl fmt::Display for Felt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(peak, error) = self;
-        write!(
-            f,
-            "peak force {} N, off the wall's own force by {} N (rms)",
-            found(*peak),
-            found(*error)
-        )
+        write!(f, "peak force {} N", found(*peak))?;
+        match error {
+            Some(error) => {
+                write!(f, ", off the environment's own force by {} N (rms)", found(*error))
+            }
+            None => Ok(()),
+        }
     }
 }
 

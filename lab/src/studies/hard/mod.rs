@@ -122,8 +122,9 @@ mod tests {
         signs.into_iter().map(|it| it.text).collect()
     }
 
-    /// Cases that are out of anything a hand does on purpose.
-    const STRANGE: [&str; 5] = [
+    /// Cases that are out of anything a hand does on purpose, and one whose encoder keeps a stabilizer at work at rest.
+    const STRANGE: [&str; 6] = [
+        "encoder chatter at rest",
         "grazing contact",
         "an active environment",
         "a stiff wall, two ticks late",

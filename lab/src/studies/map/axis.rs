@@ -62,8 +62,7 @@ impl Axis {
     /// Unit of the width: that of the number, or decades; empty where it has none.
     pub fn unit(&self) -> &'static str {
         match self.spacing {
-            // A range may follow the unit.
-            Spacing::Linear => unit(&self.key).split(',').next().unwrap_or_default(),
+            Spacing::Linear => unit(&self.key),
             Spacing::Logarithmic => "decades",
         }
     }

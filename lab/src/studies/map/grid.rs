@@ -3,12 +3,13 @@
 use std::fmt;
 use std::ops::Range;
 
+use lyapunov::ParameterError;
 use rayon::prelude::*;
 use toml::Value;
 
 use super::axis::Axis;
 use super::varied::{Variation, Varied};
-use super::vary::VaryError;
+use super::vary::{VaryError, no_scene};
 use crate::files::Scene;
 use crate::files::scene::Conflict;
 use crate::simulate::family::{StabilizerName, StabilizerNames, StabilizerNamesError};
@@ -62,6 +63,15 @@ pub enum GridError {
         /// The reason.
         reason: String,
     },
+    /// A stabilizer that cannot be made on the scene of some values.
+    Refused {
+        /// The values.
+        cell: String,
+        /// The stabilizer.
+        stabilizer: StabilizerName,
+        /// The reason.
+        error: ParameterError,
+    },
 }
 
 impl fmt::Display for GridError {
@@ -79,6 +89,12 @@ impl fmt::Display for GridError {
             Self::Cell { cell, reason } => write!(
                 f,
                 "{cell} is no scene: {reason}\n  = choose ranges in which every pair is right"
+            ),
+            Self::Refused { cell, stabilizer, error } => write!(
+                f,
+                "{stabilizer} cannot run at {cell}: {error}\n  = leave {stabilizer} out of --stabilizers, of which `all` has it \
+                 too, or give {} a value that is right",
+                error.parameter
             ),
         }
     }
@@ -182,11 +198,8 @@ impl Grid {
         }
         let mut values = [None; 2];
         values[which] = Some(value);
-        self.variation.scene(&values)?.map_err(|reason| {
-            let problem =
-                format!("`{}` = {value:?} is no scene: {reason}", [&self.x, &self.y][which].key);
-            VaryError::new(problem, "choose a range in which every value is right")
-        })
+        let scene = self.variation.scene(&values)?;
+        scene.map_err(|reason| no_scene([&self.x, &self.y][which], value, &self.scene, &reason))
     }
 
     /// The scene of a cell, without the numbers that axes write into the table of a stabilizer that the scene does not name.
@@ -225,9 +238,23 @@ impl Grid {
 
     /// The error of a cell with its values.
     pub(super) fn at(&self, cell: u64, reason: String) -> GridError {
+        GridError::Cell { cell: self.place(cell), reason }
+    }
+
+    /// The error of a cell in which a stabilizer cannot be made.
+    pub(super) fn refused(
+        &self,
+        cell: u64,
+        stabilizer: StabilizerName,
+        error: ParameterError,
+    ) -> GridError {
+        GridError::Refused { cell: self.place(cell), stabilizer, error }
+    }
+
+    /// The values of a cell, in words.
+    fn place(&self, cell: u64) -> String {
         let [x, y] = self.values(cell);
-        let cell = format!("`{}` = {x:?} with `{}` = {y:?}", self.x.key, self.y.key);
-        GridError::Cell { cell, reason }
+        format!("`{}` = {x:?} with `{}` = {y:?}", self.x.key, self.y.key)
     }
 
     /// The number of rows of a cell's run, `round(duration servo_rate) + 1`.

@@ -5,6 +5,7 @@ mod bounds;
 mod checkpoint;
 mod document;
 mod grid;
+mod in_ticks;
 mod kernel;
 mod merge;
 mod method;

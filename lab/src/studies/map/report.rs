@@ -4,9 +4,11 @@ use maud::{Markup, html};
 use serde_json::json;
 
 use super::axis::Axis;
+use super::in_ticks;
 use super::picture::{NamedFigure, label};
 use super::survey::Survey;
 use crate::measure::Verdict;
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 use crate::show::verdict::by_speed;
@@ -25,8 +27,9 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
         p { "Rows: " (ORDER) "." }
         (table(survey).to_html("short"))
         p {
-            "Bounded are the cells whose run settles or is swinging; their area, in " (survey.unit()) ", is their share \
-             of the rectangle of both axes, where a logarithmic axis counts in decades."
+            "Bounded are the cells whose run settles or is swinging; an area, in " (survey.unit()) ", is the share of its \
+             cells of the rectangle of both axes, where a logarithmic axis counts in decades. A saturation bounds every \
+             run: compare what settles there."
         }
         (rendered(survey).to_html("short"))
         p {
@@ -43,7 +46,7 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
         }
         h2 { "Scene" }
         p {
-            "Every number, with its default in place; the two axes stand at the scene's own values. All cells are in "
+            (EVERY_NUMBER) ". The two axes stand at the scene's own values. All cells are in "
             a href="map.csv" { "map.csv" } "."
         }
         pre { (text) }
@@ -113,11 +116,14 @@ fn notes(survey: &Survey) -> Vec<String> {
         _ => told(survey.by_speed(), "are judged by speed: they have no place to rest at"),
     };
     let sign = survey.look_at().map(|it| format!("look at: {}", it.text));
-    by_speed.into_iter().chain(told(short, "are too short to judge")).chain(sign).collect()
+    let grid = survey.grid();
+    let in_ticks = in_ticks::note(&grid.scene, &[&grid.x, &grid.y]);
+    let notes = [by_speed, told(short, "are too short to judge"), in_ticks, sign];
+    notes.into_iter().flatten().collect()
 }
 
-/// Table of the shares that settle and that stay bounded, the judged cells, the bounded area, and what is rendered; `-` for an
-/// unknown number.
+/// Table of the shares that settle and that stay bounded, the judged cells, the areas of both, and what is rendered; `-` for an
+/// unknown number. A force limit bounds every run, and the bounded area is the same for all then.
 fn table(survey: &Survey) -> Table {
     let headings = [
         Heading::word("stabilizer"),
@@ -125,6 +131,7 @@ fn table(survey: &Survey) -> Table {
         Heading::number("bounded"),
         Heading::number("bounded\ncells"),
         Heading::number("of"),
+        Heading::number("settled\narea"),
         Heading::number("bounded\narea"),
         Heading::number("rendered"),
     ];
@@ -132,13 +139,14 @@ fn table(survey: &Survey) -> Table {
         let (settling, bounded) = (survey.settling(index), survey.bounded(index));
         // Where nothing has a place to rest at, a share of 0 would blame the stabilizer.
         let can_settle = settling.cells > 0 || survey.by_speed() < survey.grid().cells();
-        let settles = settling.share.filter(|_| can_settle);
+        let settled = Some(settling).filter(|_| can_settle);
         [
             survey.grid().stabilizers[index].name().into(),
-            settles.map(|share| percent(100.0 * share)).into(),
+            settled.and_then(|it| it.share).map(|share| percent(100.0 * share)).into(),
             bounded.share.map(|share| percent(100.0 * share)).into(),
             bounded.cells.to_string().into(),
             survey.judged(index).to_string().into(),
+            settled.and_then(|it| it.area).into(),
             bounded.area.into(),
             survey.rendered(index).percent.map(percent).into(),
         ]

@@ -311,7 +311,7 @@ impl<'a> Run<'a> {
         let tables: Vec<_> = scenes.iter().map(|it| member.table(it)).collect();
         let runs = Runs { scenes, told: scenes, tables: &tables, instructions };
         let judged = runs.measured::<AllMeasures>(go_on).map_err(|(place, error)| {
-            RunError::Cell(self.grid.at(cells[place], error.to_string()))
+            RunError::Cell(self.grid.refused(cells[place], member, error))
         })?;
         let outcome = |judged: Judged<Measures>| {
             let measures = judged.reading.unwrap_or_default();

@@ -100,6 +100,39 @@ impl Vary {
     }
 }
 
+/// The most values of an axis that an error proposes.
+const PROPOSED: u64 = 32;
+
+/// The error of a `value` of `axis` with which `scene` is none, for this `reason`.
+pub(super) fn no_scene(axis: &Axis, value: f64, scene: &Scene, reason: &str) -> VaryError {
+    if let Some(rate) = scene.environment_rate.filter(|_| axis.key == "servo_rate") {
+        let rate = rate.get();
+        if (value / rate - (value / rate).round()).abs() > 1e-6 {
+            let problem =
+                format!("`servo_rate` = {value:?} is no multiple of `environment_rate` = {rate:?}");
+            return VaryError::new(problem, multiples(axis, rate));
+        }
+    }
+    let problem = format!("`{}` = {value:?} is no scene: {reason}", axis.key);
+    VaryError::new(problem, "choose a range in which every value is right")
+}
+
+/// The remedy with a range like that of `axis` in multiples of `rate`.
+fn multiples(axis: &Axis, rate: f64) -> String {
+    let alone = "leave environment_rate out: it is servo_rate then";
+    let [least, most] = [(axis.from / rate).ceil().max(1.0), (axis.to / rate).floor()];
+    let steps = most - least;
+    if !(1.0..1e9).contains(&steps) {
+        return format!("choose multiples, or {alone}");
+    }
+    let steps = steps as u64;
+    let fewer =
+        (1..=steps).filter(|stride| steps.is_multiple_of(*stride)).map(|stride| steps / stride);
+    let count = 1 + fewer.into_iter().find(|steps| *steps < PROPOSED).unwrap_or(1);
+    let [from, to] = [least * rate, most * rate];
+    format!("choose multiples, as in servo_rate={from:?}..{to:?}:{count}, or {alone}")
+}
+
 /// The scene of `tree`, with the samples of a motion file taken from `base`.
 pub(super) fn read(tree: &Value, base: &Scene) -> Result<Scene, String> {
     let keys: Keys = read_made(tree)?;

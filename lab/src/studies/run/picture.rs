@@ -7,16 +7,13 @@ use crate::measure::summary::MILLI;
 use crate::measure::{Summary, Trace, Verdict};
 use crate::text::file_name;
 
-/// Starting swings after which the figure of a run that grows ends: what follows would flatten all before.
-const SHOWN: f64 = 10.0;
-
 /// Names of the axes.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Curves {
     /// Figure of position, force, energy and velocity over time; that of a run that grows ends at ten starting swings.
     pub fn figure(&self, name: &str, summary: &Summary) -> Figure {
-        let until = self.until(summary);
+        let until = Self::until(summary);
         let panel =
             |title: &str, label: &str| Panel::new(title, "time, s", label).with_x_range(0.0, until);
         let points = |trace: &Trace, scale: f64| -> Vec<(f64, f64)> {
@@ -57,30 +54,49 @@ impl Curves {
             .with_panel_height(190.0)
     }
 
-    /// The last time that is shown, s.
-    fn until(&self, summary: &Summary) -> f64 {
-        let end = summary.scene.end();
-        let last = summary.left_range().unwrap_or(end);
-        let criterion = summary.fate.criterion(0);
-        let rest = criterion.equilibria.first().filter(|_| criterion.place().is_some());
-        let (Verdict::Grows, Some(rest)) = (summary.verdict(), rest) else { return last };
-        let reach = SHOWN * criterion.start;
-        let left = self.axes.iter().zip(rest.axes()).filter_map(|(axis, rest)| {
-            let points = axis.position.clone().finish();
-            points.iter().find(|point| (point.1 - rest).abs() > reach).map(|point| point.0)
-        });
-        left.fold(last, f64::min)
+    /// The last time that is shown, s: of a run that grows that of its verdict, since what follows would flatten all before.
+    fn until(summary: &Summary) -> f64 {
+        let last = summary.left_range().unwrap_or(summary.scene.end());
+        // In a space it is the distance that leaves its bound, and not any axis.
+        let out = summary.out_since.filter(|_| summary.verdict() == Verdict::Grows);
+        out.map_or(last, |out| out.min(last))
     }
 
     /// The sentence under the figure.
-    pub(super) fn caption(&self, summary: &Summary) -> String {
+    pub(super) fn caption(summary: &Summary) -> String {
         let end = summary.scene.end();
         let energy = "The energy into the port is the work of the applied force on the true motion: below 0, more came \
                       out than went in.";
-        if self.until(summary) < end {
+        if Self::until(summary) < end {
             format!("Up to ten starting swings, beyond which the run grows. {energy}")
         } else {
             energy.to_owned()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::*;
+    use crate::files::Scene;
+    use crate::simulate::Rollout;
+
+    /// Slanting to the axes the distance leaves its bound before any of them does.
+    #[test]
+    fn a_run_in_a_space_is_drawn_up_to_its_verdict() {
+        let text = "duration = 2\nservo_rate = 1000\nspace.dimensions = 3\ndevice = { mass = 0.25, damping = 0.8 }\n\
+            operator = { mass = 0.2, damping = 3, stiffness = 250, rest = [0.01, 0.02, -0.01] }\n\
+            initial.position = [-0.01, 0, 0.005]\neffects.delay.ticks = 2\n\
+            environment.plane = { point = [0, 0, 0], normal = [-1, -1, 0.5], stiffness = 20000 }\n";
+        let scene = Scene::parse(text, "test").unwrap();
+        let run = Rollout::<SVector<f64, 3>>::of(&scene).unwrap();
+        let summary = Summary::of(&scene, run);
+        let start = summary.fate.criterion(0).start;
+        let mut far = Rollout::<SVector<f64, 3>>::of(&scene).unwrap();
+        let rest = SVector::<f64, 3>::from_vec(summary.equilibrium.clone().unwrap());
+        let out = far.find(|tick| (tick.truth.position - rest).norm() > 10.0 * start);
+        assert_eq!(Curves::until(&summary), out.unwrap().time);
     }
 }

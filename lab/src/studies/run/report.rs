@@ -5,6 +5,7 @@ use maud::html;
 use super::{Curves, Laid};
 use crate::measure::Summary;
 use crate::show::beside::beside;
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::labelled::labelled;
 use crate::studies::explain::Hint;
@@ -33,11 +34,11 @@ impl Curves {
             (labelled(&lines))
             @if !next.trim().is_empty() { p { (html::coded(next.trim())) "." } }
             h2 { "What the loop does" }
-            (html::figure(Some("run"), &self.figure(name, summary), &html! { (self.caption(summary)) }))
+            (html::figure(Some("run"), &self.figure(name, summary), &html! { (Self::caption(summary)) }))
             @if let Some(laid) = laid { (laid.markup()) }
             (beside(&files))
             h2 { "Scene" }
-            p { "Every number, with its default in place." }
+            p { (EVERY_NUMBER) "." }
             pre { (scene) }
         };
         html::page(&format!("Run of {name}"), &body)

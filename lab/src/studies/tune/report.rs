@@ -14,6 +14,13 @@ pub fn page(name: &str, tuning: &Tuning, tuned: &[Tuned], command: &str) -> Stri
     let Tuning { objective, trials, runs, seed, moves } = tuning;
     let judges = tuned.first().map_or(0, |one| one.judged[1].runs());
     let percent = |share: f64| format!("{} %", 100.0 * share);
+    let scenes = tuned
+        .iter()
+        .map(|one| (format!("{}.toml", one.name), format!("the scene with {}, tuned", one.name)));
+    let scenes: Vec<_> = scenes.collect();
+    let mut files =
+        vec![("tune.csv", "the numbers, default and tuned"), ("tune.json", "all numbers")];
+    files.extend(scenes.iter().map(|(name, content)| (&name[..], &content[..])));
     let body = html! {
         p {
             "Objective " code { (objective.to_string()) } ", " (trials + 1) " settings of " (runs)
@@ -34,10 +41,7 @@ pub fn page(name: &str, tuning: &Tuning, tuned: &[Tuned], command: &str) -> Stri
         }
         h2 { "The numbers" }
         (numbers(tuned).to_html("short"))
-        (beside(&[
-            ("tune.csv", "the numbers, default and tuned"),
-            ("tune.json", "all numbers"),
-        ]))
+        (beside(&files))
         @for one in tuned {
             h2 { "Scene with " (one.name) ", tuned" }
             pre { (one.text().unwrap_or_default()) }

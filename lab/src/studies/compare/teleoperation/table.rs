@@ -21,15 +21,14 @@ pub(super) fn setting(file: &Teleoperator) -> String {
     setting
 }
 
-/// What the columns are compared with, and the settings of the stabilizers, in two lines.
+/// What the columns are compared with, and the settings of the stabilizers; the terminal breaks the line at each semicolon.
 pub(super) fn start(file: &Teleoperator) -> String {
     let (cap, layers) = (file.stabilizer.damping_cap.get(), file.layers());
     let cap =
         if cap.is_infinite() { "no damping cap".to_owned() } else { format!("cap {}", given(cap)) };
     format!(
         "{} mJ in the hand at the start; grows above {} times that, settles with {} of it in motion; \
-         an ideal link rests with {} N\n\
-         {cap}, drift taken back at {} mm/s; tank of {} mJ, {} N.s/(m J), share {}; b = {} N.s/m, filters of {} ms",
+         an ideal link rests with {} N; {cap}, drift taken back at {} mm/s; tank of {} mJ, {} N.s/(m J), share {}; b = {} N.s/m, filters of {} ms",
         found(1e3 * file.stored_at_start()),
         given(BOUND),
         given(BAND),

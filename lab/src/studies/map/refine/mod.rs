@@ -1,4 +1,4 @@
-//! Edge of stability of a map at the resolution of its grid, from few of its runs.
+//! Edge of bounded runs of a map at the resolution of its grid, from few of its runs.
 
 mod document;
 mod edge;

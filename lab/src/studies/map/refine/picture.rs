@@ -31,7 +31,7 @@ impl Refined {
             Side::ALL.into_iter().find(|side| colour(*side) == Some(at)).map_or("", Side::word)
         });
         let elements = [&grid.x, &grid.y].map(|axis| axis.count.min(FINEST));
-        panels(grid, "edge of stability", &curves, |index| {
+        panels(grid, "edge of bounded runs", &curves, |index| {
             let edge = &self.edges[index];
             let heat = HeatMap::of_classes(
                 elements[0] as usize,

@@ -6,6 +6,7 @@ use maud::html;
 
 use super::Refined;
 use crate::show::beside::beside;
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 use crate::studies::map::bounds::Bounds;
@@ -16,7 +17,7 @@ impl Refined {
         let grid = self.grid();
         let body = html! {
             p {
-                "The edge of stability on " (grid.x.count) " by " (grid.y.count) " cells, by " (html::maker(command)) "."
+                "The edge of bounded runs on " (grid.x.count) " by " (grid.y.count) " cells, by " (html::maker(command)) "."
             }
             (self.table().to_html("short"))
             p { (MEANING) }
@@ -29,7 +30,7 @@ impl Refined {
                 ("refined.json", "the table"),
             ]))
             h2 { "Scene" }
-            p { "Every number, with its default in place; the two axes stand at the scene's own values." }
+            p { (EVERY_NUMBER) ". The two axes stand at the scene's own values." }
             pre { (toml::to_string(&grid.scene).unwrap_or_default()) }
         };
         html::page(&format!("Edge over {} and {}", grid.x.key, grid.y.key), &body)

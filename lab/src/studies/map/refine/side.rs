@@ -1,8 +1,8 @@
-//! Side of the edge of stability that a cell lies on.
+//! Side of the edge of bounded runs that a cell lies on.
 
 use crate::measure::Verdict;
 
-/// Side of the edge of stability: whether the run in a cell stays bounded.
+/// Side of the edge of bounded runs: whether the run in a cell stays bounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Side {
     /// It settles or is swinging.

@@ -13,7 +13,7 @@ use super::grid::GridError;
 use super::run_error::RunError;
 use super::threads;
 use super::varied::{Variation, Varied};
-use super::vary::VaryError;
+use super::vary::{VaryError, no_scene};
 use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames};
 use crate::studies::compare::{self, Score, SharedWatch};
@@ -73,10 +73,8 @@ impl SweepPlan {
         let variation = Variation::new(scene.clone(), tree, vec![number]);
         let at = |index| {
             let value = x.value(index);
-            let bare = variation.scene(&[Some(value)])?.map_err(|reason| {
-                let problem = format!("`{}` = {value:?} is no scene: {reason}", x.key);
-                VaryError::new(problem, "choose a range in which every value is right")
-            })?;
+            let bare = variation.scene(&[Some(value)])?;
+            let bare = bare.map_err(|reason| no_scene(&x, value, &scene, &reason))?;
             let each = stabilizers.iter();
             each.map(|member| variation.under(bare.clone(), *member, &[value])).collect()
         };
@@ -103,8 +101,8 @@ impl SweepPlan {
                 compare::score_under(scene, *member, watch).map_err(|reason| match reason {
                     compare::RunError::Stopped => RunError::Stopped,
                     compare::RunError::Parameter(error) => {
-                        let cell = format!("`{}` = {value:?} under {member}", self.x.key);
-                        RunError::Cell(GridError::Cell { cell, reason: error.to_string() })
+                        let cell = format!("`{}` = {value:?}", self.x.key);
+                        RunError::Cell(GridError::Refused { cell, stabilizer: *member, error })
                     }
                 })
             });

@@ -15,9 +15,10 @@ const ROW: f64 = 18.0;
 const MARKED: usize = 64;
 
 /// The curves: title, name of the axis, column.
-const CURVES: [(&str, &str, Column); 4] = [
+const CURVES: [(&str, &str, Column); 5] = [
     ("settling time", "settling time, s", Column::SettlingTime),
     ("force error", "force error, N rms", Column::ForceError),
+    ("force felt", "force felt, %", Column::ForceFelt),
     ("stiffness felt", "stiffness felt, %", Column::StiffnessPercent),
     ("energy given by the port", "energy given, mJ", Column::EnergyGiven),
 ];
@@ -51,8 +52,8 @@ impl Sweep {
             .with_panel(panel.with_rows(names))
     }
 
-    /// Settling time, force error, stiffness felt and energy given over the number: a curve for each stabilizer, equal ones
-    /// once.
+    /// Settling time, force error, force and stiffness felt and energy given over the number: a curve for each stabilizer,
+    /// equal ones once.
     pub fn curves(&self) -> Figure {
         let figure = Figure::new(file_name(&self.name)).with_width(960.0).with_panel_height(230.0);
         let drawn = |(_, curves): &(_, Vec<Shared>)| !curves.is_empty();

@@ -4,8 +4,10 @@ use maud::html;
 
 use super::Sweep;
 use crate::show::beside::beside;
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::verdict::by_speed;
+use crate::studies::map::in_ticks;
 
 impl Sweep {
     /// The page of the sweep, as HTML; `command` made it.
@@ -14,6 +16,7 @@ impl Sweep {
             p {
                 (self.x.count) " values of " code { (self.x.key) } " on " (self.name) ", by " (html::maker(command)) "."
                 @if let Some(by) = by_speed(&self.scene) { " The scene is judged " (by) "." }
+                @if let Some(note) = in_ticks::note(&self.scene, &[&self.x]) { " " (note) "." }
             }
             h2 { "Which runs settle, and which stay bounded" }
             (html::figure(Some("verdicts"), &self.verdicts(), &html! { "The verdict on the run at each value." }))
@@ -30,7 +33,7 @@ impl Sweep {
             h2 { "Rows" }
             details { summary { "All runs" } (self.runs().to_html("short")) }
             h2 { "Scene" }
-            p { "Every number, with its default in place; the swept one stands at the scene's own value." }
+            p { (EVERY_NUMBER) ". The swept one stands at the scene's own value." }
             pre { (toml::to_string(&self.scene).unwrap_or_default()) }
         };
         html::page(&format!("Sweep of {}", self.x.key), &body)

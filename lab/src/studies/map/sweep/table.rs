@@ -6,6 +6,7 @@ use super::Sweep;
 use crate::measure::Verdict;
 use crate::show::table::{Heading, Table};
 use crate::studies::compare::Column;
+use crate::studies::map::in_ticks;
 use crate::text::given;
 
 /// The most rows that the terminal shows.
@@ -79,7 +80,11 @@ impl Sweep {
 
 impl fmt::Display for Sweep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}\n{}\n\n{}", self.name, self.x, self.counts())?;
+        writeln!(f, "{}\n{}", self.name, self.x)?;
+        if let Some(note) = in_ticks::note(&self.scene, &[&self.x]) {
+            writeln!(f, "{note}")?;
+        }
+        write!(f, "\n{}", self.counts())?;
         match self.rows().count() {
             count if count <= SHOWN => write!(f, "\n{}", self.runs()),
             count => writeln!(f, "\n{count} rows: --out DIR or --json has them"),

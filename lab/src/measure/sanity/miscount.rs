@@ -1,0 +1,88 @@
+//! Debt of a stabilizer that errors of the measured position made.
+
+use lyapunov::Scalar;
+
+use super::{Oddity, Sign};
+use crate::simulate::{Space, Tick};
+use crate::text::found;
+
+/// Ticks on which a stabilizer brakes for a debt that are no chance yet.
+const BRAKES: u64 = 20;
+
+/// Share of the run, back from its end, over which a debt has to stand: one that a loop pays off is none.
+const LAST: f64 = 0.1;
+
+/// Share of the debt that errors of the position have to make up.
+const MADE: f64 = 0.5;
+
+/// Share of the most energy that the true port took, below which a debt does no harm that is felt.
+const LARGE: f64 = 0.1;
+
+/// Watches what a stabilizer leaves owed, and the work of the applied force on the true and on the measured motion.
+///
+/// A sound debt is the true port's: energy that came out and that the damping limit kept from being taken. A step of an
+/// encoder is work as well in the eyes of a stabilizer, and what it adds up over a run is never paid off.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Miscount {
+    ticks: u64,
+    /// Ticks of the debt that stands now, and those of them with damping.
+    standing: u64,
+    braking: u64,
+    owed: f64,
+    /// Work on the true and on the measured motion, J, and the most of the first so far.
+    work: [f64; 2],
+    most: f64,
+    last: Option<Last>,
+}
+
+/// Force and positions of a tick.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Last {
+    force: [f64; 3],
+    places: [[f64; 3]; 2],
+}
+
+impl Miscount {
+    pub(super) fn add<V: Space>(&mut self, tick: &Tick<V>) {
+        let mut now = Last::default();
+        for axis in 0..V::DIMENSIONS {
+            now.force[axis] = tick.applied.axis(axis);
+            let samples = [&tick.truth, &tick.measured];
+            for (place, sample) in now.places.iter_mut().zip(samples) {
+                place[axis] = sample.position.axis(axis);
+            }
+        }
+        if let Some(Last { force, places }) = self.last.replace(now) {
+            let ways = places.iter().zip(&now.places);
+            for (work, (from, to)) in self.work.iter_mut().zip(ways) {
+                let parts = force.iter().zip(from.iter().zip(to));
+                *work += parts.map(|(force, (from, to))| force * (to - from)).sum::<f64>();
+            }
+        }
+        self.most = self.most.max(self.work[0]);
+        self.ticks += 1;
+        self.owed = tick.correction.shortfall.lane(0);
+        if self.owed > 0.0 {
+            self.standing += 1;
+            self.braking += u64::from(tick.correction.alpha.lane(0) > 0.0);
+        } else {
+            (self.standing, self.braking) = (0, 0);
+        }
+    }
+
+    /// The sign of a stabilizer that still brakes at the end for a debt of which the true port knows nothing.
+    pub(super) fn finish(&self) -> Option<Oddity> {
+        let [true_work, measured] = self.work;
+        let stands = self.standing as f64 >= LAST * self.ticks as f64 && self.braking >= BRAKES;
+        let is_made = true_work - measured >= MADE * self.owed;
+        let is_large = self.owed >= LARGE * self.most;
+        (stands && is_made && is_large).then(|| {
+            let [owed, work] = [self.owed, true_work].map(|energy| found(1e3 * energy));
+            let text = format!(
+                "the stabilizer brakes to the end for a debt of {owed} mJ that errors of the measured position made up: on \
+                 the true motion {work} mJ went into the port"
+            );
+            Oddity::new(Sign::Miscounted, text)
+        })
+    }
+}

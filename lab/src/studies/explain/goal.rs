@@ -1,0 +1,50 @@
+//! Goal of the changes that an explanation tries.
+
+use super::{Explanation, hint};
+use crate::measure::{Verdict, Yardstick};
+
+/// What a run has to be after a change for that to help.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Goal {
+    /// It does not grow.
+    Bounded,
+    /// It settles: the run is bounded as it is, by a force limit or by a wall that throws the plant off.
+    Settled,
+}
+
+impl Goal {
+    pub(super) fn is_reached(self, verdict: Verdict) -> bool {
+        match self {
+            Self::Bounded => verdict != Verdict::Grows,
+            Self::Settled => verdict == Verdict::Settles,
+        }
+    }
+
+    /// The goal that all listed changes reached, in words.
+    pub(super) const fn words(self) -> &'static str {
+        match self {
+            Self::Bounded => "none grows",
+            Self::Settled => "all settle",
+        }
+    }
+}
+
+impl Explanation {
+    /// The goal of the changes that are tried; none where the run needs none, or no force acts.
+    pub(super) fn goal(&self) -> Option<Goal> {
+        let is_unstable = self.limits.spectral_radius.is_some_and(|radius| radius > 1.0);
+        // A plant that the hand or the environment moves has no place to settle at.
+        let can_settle = self.verdict_by == Yardstick::Distance;
+        match self.verdict {
+            _ if self.peak_force == 0.0 || self.is_transient() => None,
+            Verdict::Grows => Some(Goal::Bounded),
+            Verdict::Swinging if is_unstable && can_settle => Some(Goal::Settled),
+            _ if is_unstable && self.scene.stabilizer.is_none() => Some(Goal::Bounded),
+            _ => None,
+        }
+    }
+    /// Whether the run grows for a while in a loop that is linear and stable.
+    pub(super) fn is_transient(&self) -> bool {
+        self.verdict == Verdict::Grows && !self.left_range && hint::is_transient(&self.scene)
+    }
+}
