@@ -19,6 +19,8 @@ mod map;
 mod map_cells;
 mod map_checkpoint;
 mod map_edge;
+mod map_refused;
+mod miscounted;
 mod models;
 mod progress;
 mod sanity;

@@ -14,7 +14,7 @@ use lyapunov_lab::{
 
 use crate::bound::systems::{Chance, scene};
 
-fn summary<V: Space>(scene: &Scene) -> Summary {
+pub(crate) fn summary<V: Space>(scene: &Scene) -> Summary {
     Summary::of(scene, Rollout::<V>::of(scene).unwrap())
 }
 
@@ -45,7 +45,7 @@ fn of_log(log: &str, columns: &str, scales: &[&str]) -> Vec<Oddity> {
 
 /// The one sign, and every word in its text.
 #[track_caller]
-fn shows(signs: &[Oddity], sign: Sign, words: &[&str]) {
+pub(crate) fn shows(signs: &[Oddity], sign: Sign, words: &[&str]) {
     let [found] = signs else { panic!("{signs:?}") };
     assert_eq!(found.sign, sign, "{found:?}");
     for word in words {
@@ -65,7 +65,7 @@ const PRESS: [(&str, &str); 8] = [
 ];
 
 /// A hand that presses on a soft wall; `changed` takes the place of these values, and nothing takes the key away.
-fn press(changed: &[(&str, &str)]) -> Scene {
+pub(crate) fn press(changed: &[(&str, &str)]) -> Scene {
     let value = |(key, value): &(&'static str, &'static str)| {
         let changed = changed.iter().find(|it| it.0 == *key);
         (*key, changed.map_or(value.to_string(), |it| it.1.to_owned()))
@@ -126,33 +126,6 @@ fn a_made_scene_shows_each_sign() {
     shows(&late, Sign::Idle, &["f_act is 0 on all 501 ticks", "the delay is 900 ticks"]);
     let slow = of_run(&press(&[("servo_rate", "1.0"), ("duration", "60.0")]));
     assert!(slow.iter().any(|it| it.text.contains("servo_rate is 1 Hz")), "{slow:?}");
-}
-
-/// An encoder of 0.2 mm in a swing of some: POPC brakes to the end, though the port truly took energy.
-#[test]
-fn a_debt_that_the_encoder_made_is_told() {
-    let hand = "{ mass = 0.15, damping = 4.0, stiffness = 400.0, rest = 0.02 }";
-    let wall = "{ wall = { position = 0.005, stiffness = 2500.0, damping = 1.0 } }";
-    let run = |environment, resolution: f64, delay: u32| {
-        let encoder = format!("encoder.resolution = {resolution:?}, delay.ticks = {delay}");
-        let effects = format!("{{ {encoder}, saturation.force = 20.0 }}");
-        summary::<f64>(&press(&[
-            ("duration", "3.0"),
-            ("device", "{ mass = 0.12, damping = 0.3 }"),
-            ("operator", hand),
-            ("initial", "{}"),
-            ("environment", environment),
-            ("effects", &effects),
-        ]))
-    };
-    let coarse = run(wall, 2e-4, 1);
-    shows(&coarse.look_at(), Sign::Miscounted, &["22.78 mJ", "0.1888 mJ went into the port"]);
-    assert!(coarse.absorbed > 0.0 && coarse.observed_energy_least < -0.02);
-    assert_eq!(run(wall, 5e-6, 1).look_at(), []);
-    // Ten ticks late the debt is the true port's: the damper itself drives the loop.
-    let late = run(wall, 5e-6, 10);
-    assert!(late.shortfall > 1.0 && late.absorbed < -1.0);
-    assert_eq!(late.look_at(), []);
 }
 
 /// A damper in contact only, of either sign.

@@ -14062,9 +14062,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32_gr
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32_owe(lyapunov_two_port_side_f32 *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_port_side_f32_absorbed(const lyapunov_two_port_side_f32 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32_receive(lyapunov_two_port_side_f32 *storage, float energy);
 
 /* lyapunov_two_port_side_f64: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
@@ -14116,9 +14116,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64_gr
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64_owe(lyapunov_two_port_side_f64 *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_port_side_f64_absorbed(const lyapunov_two_port_side_f64 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64_receive(lyapunov_two_port_side_f64 *storage, double energy);
 
 /* lyapunov_two_port_side_f32x3: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
@@ -14170,9 +14170,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32x3_
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32x3_owe(lyapunov_two_port_side_f32x3 *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_port_side_f32x3_absorbed(const lyapunov_two_port_side_f32x3 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x3_receive(lyapunov_two_port_side_f32x3 *storage, float energy);
 
 /* lyapunov_two_port_side_f64x3: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
@@ -14224,9 +14224,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64x3_
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64x3_owe(lyapunov_two_port_side_f64x3 *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_port_side_f64x3_absorbed(const lyapunov_two_port_side_f64x3 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x3_receive(lyapunov_two_port_side_f64x3 *storage, double energy);
 
 /* lyapunov_two_port_side_f32x6: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
@@ -14278,9 +14278,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32x6_
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32x6_owe(lyapunov_two_port_side_f32x6 *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_port_side_f32x6_absorbed(const lyapunov_two_port_side_f32x6 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32x6_receive(lyapunov_two_port_side_f32x6 *storage, float energy);
 
 /* lyapunov_two_port_side_f64x6: Side of a two-port (TwoPortSide): send `absorbed` to the other side on every
@@ -14332,9 +14332,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64x6_
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64x6_owe(lyapunov_two_port_side_f64x6 *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_port_side_f64x6_absorbed(const lyapunov_two_port_side_f64x6 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64x6_receive(lyapunov_two_port_side_f64x6 *storage, double energy);
 
 /* lyapunov_two_port_side_f32screw: Side of a two-port (TwoPortSide): send `absorbed` to the other side on
@@ -14386,9 +14386,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32scr
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f32screw_owe(lyapunov_two_port_side_f32screw *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_port_side_f32screw_absorbed(const lyapunov_two_port_side_f32screw *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f32screw_receive(lyapunov_two_port_side_f32screw *storage, float energy);
 
 /* lyapunov_two_port_side_f64screw: Side of a two-port (TwoPortSide): send `absorbed` to the other side on
@@ -14440,9 +14440,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64scr
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_port_side_f64screw_owe(lyapunov_two_port_side_f64screw *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_port_side_f64screw_absorbed(const lyapunov_two_port_side_f64screw *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_port_side_f64screw_receive(lyapunov_two_port_side_f64screw *storage, double energy);
 
 /* lyapunov_drift_compensated_f32: Side of a two-port with an admittance, which makes up for the drift of its
@@ -14499,9 +14499,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f3
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f32_owe(lyapunov_drift_compensated_f32 *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_drift_compensated_f32_absorbed(const lyapunov_drift_compensated_f32 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32_receive(lyapunov_drift_compensated_f32 *storage, float energy);
 
 /* lyapunov_drift_compensated_f64: Side of a two-port with an admittance, which makes up for the drift of its
@@ -14558,9 +14558,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f6
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f64_owe(lyapunov_drift_compensated_f64 *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_drift_compensated_f64_absorbed(const lyapunov_drift_compensated_f64 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64_receive(lyapunov_drift_compensated_f64 *storage, double energy);
 
 /* lyapunov_drift_compensated_f32x3: Side of a two-port with an admittance, which makes up for the drift of its
@@ -14617,9 +14617,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f3
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f32x3_owe(lyapunov_drift_compensated_f32x3 *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_drift_compensated_f32x3_absorbed(const lyapunov_drift_compensated_f32x3 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x3_receive(lyapunov_drift_compensated_f32x3 *storage, float energy);
 
 /* lyapunov_drift_compensated_f64x3: Side of a two-port with an admittance, which makes up for the drift of its
@@ -14676,9 +14676,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f6
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f64x3_owe(lyapunov_drift_compensated_f64x3 *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_drift_compensated_f64x3_absorbed(const lyapunov_drift_compensated_f64x3 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x3_receive(lyapunov_drift_compensated_f64x3 *storage, double energy);
 
 /* lyapunov_drift_compensated_f32x6: Side of a two-port with an admittance, which makes up for the drift of its
@@ -14735,9 +14735,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f3
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f32x6_owe(lyapunov_drift_compensated_f32x6 *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_drift_compensated_f32x6_absorbed(const lyapunov_drift_compensated_f32x6 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32x6_receive(lyapunov_drift_compensated_f32x6 *storage, float energy);
 
 /* lyapunov_drift_compensated_f64x6: Side of a two-port with an admittance, which makes up for the drift of its
@@ -14794,9 +14794,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f6
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f64x6_owe(lyapunov_drift_compensated_f64x6 *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_drift_compensated_f64x6_absorbed(const lyapunov_drift_compensated_f64x6 *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64x6_receive(lyapunov_drift_compensated_f64x6 *storage, double energy);
 
 /* lyapunov_drift_compensated_f32screw: Side of a two-port with an admittance, which makes up for the drift of
@@ -14853,9 +14853,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f3
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f32screw_owe(lyapunov_drift_compensated_f32screw *storage, float debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_drift_compensated_f32screw_absorbed(const lyapunov_drift_compensated_f32screw *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f32screw_receive(lyapunov_drift_compensated_f32screw *storage, float energy);
 
 /* lyapunov_drift_compensated_f64screw: Side of a two-port with an admittance, which makes up for the drift of
@@ -14912,9 +14912,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f6
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_drift_compensated_f64screw_owe(lyapunov_drift_compensated_f64screw *storage, double debt);
 /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_drift_compensated_f64screw_absorbed(const lyapunov_drift_compensated_f64screw *storage);
-/* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
-   or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below
-   it are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is
+   not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true
+   ones below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_drift_compensated_f64screw_receive(lyapunov_drift_compensated_f64screw *storage, double energy);
 
 /* lyapunov_two_layer_f32: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and give
@@ -14972,9 +14972,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32_grant(
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32_owe(lyapunov_two_layer_f32 *storage, float debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_layer_f32_sent(const lyapunov_two_layer_f32 *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32_receive(lyapunov_two_layer_f32 *storage, float energy);
 
 /* lyapunov_two_layer_f64: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and give
@@ -15032,9 +15032,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64_grant(
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64_owe(lyapunov_two_layer_f64 *storage, double debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_layer_f64_sent(const lyapunov_two_layer_f64 *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64_receive(lyapunov_two_layer_f64 *storage, double energy);
 
 /* lyapunov_two_layer_f32x3: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
@@ -15092,9 +15092,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32x3_gran
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32x3_owe(lyapunov_two_layer_f32x3 *storage, float debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_layer_f32x3_sent(const lyapunov_two_layer_f32x3 *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32x3_receive(lyapunov_two_layer_f32x3 *storage, float energy);
 
 /* lyapunov_two_layer_f64x3: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
@@ -15152,9 +15152,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64x3_gran
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64x3_owe(lyapunov_two_layer_f64x3 *storage, double debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_layer_f64x3_sent(const lyapunov_two_layer_f64x3 *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64x3_receive(lyapunov_two_layer_f64x3 *storage, double energy);
 
 /* lyapunov_two_layer_f32x6: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
@@ -15212,9 +15212,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32x6_gran
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32x6_owe(lyapunov_two_layer_f32x6 *storage, float debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_layer_f32x6_sent(const lyapunov_two_layer_f32x6 *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32x6_receive(lyapunov_two_layer_f32x6 *storage, float energy);
 
 /* lyapunov_two_layer_f64x6: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
@@ -15272,9 +15272,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64x6_gran
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64x6_owe(lyapunov_two_layer_f64x6 *storage, double debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_layer_f64x6_sent(const lyapunov_two_layer_f64x6 *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64x6_receive(lyapunov_two_layer_f64x6 *storage, double energy);
 
 /* lyapunov_two_layer_f32screw: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
@@ -15332,9 +15332,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32screw_g
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f32screw_owe(lyapunov_two_layer_f32screw *storage, float debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API float lyapunov_two_layer_f32screw_sent(const lyapunov_two_layer_f32screw *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f32screw_receive(lyapunov_two_layer_f32screw *storage, float energy);
 
 /* lyapunov_two_layer_f64screw: Side of a two-layer architecture (TwoLayer): send `sent` to the other side, and
@@ -15392,9 +15392,9 @@ LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64screw_g
 LYAPUNOV_API LYAPUNOV_MUST_LOOK_AT lyapunov_status lyapunov_two_layer_f64screw_owe(lyapunov_two_layer_f64screw *storage, double debt);
 /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
 LYAPUNOV_API double lyapunov_two_layer_f64screw_sent(const lyapunov_two_layer_f64screw *storage);
-/* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or
-   not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it
-   are ignored: check packets before, by a checksum. */
+/* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not
+   finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones
+   below it are ignored: check packets before, by a checksum. */
 LYAPUNOV_API uint32_t lyapunov_two_layer_f64screw_receive(lyapunov_two_layer_f64screw *storage, double energy);
 
 /* lyapunov_wave_transform_f32: Wave transformation (WaveTransform): waves of a flow v and an effort F, and the

@@ -2587,7 +2587,7 @@ public:
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_port_side_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32_receive(&storage, energy)); }
 };
 
@@ -2598,7 +2598,7 @@ public:
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_port_side_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64_receive(&storage, energy)); }
 };
 
@@ -2609,7 +2609,7 @@ public:
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_port_side_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x3_receive(&storage, energy)); }
 };
 
@@ -2620,7 +2620,7 @@ public:
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_port_side_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x3_receive(&storage, energy)); }
 };
 
@@ -2631,7 +2631,7 @@ public:
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_port_side_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32x6_receive(&storage, energy)); }
 };
 
@@ -2642,7 +2642,7 @@ public:
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_port_side_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64x6_receive(&storage, energy)); }
 };
 
@@ -2653,7 +2653,7 @@ public:
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_port_side_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_two_port_side_f32screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f32screw_receive(&storage, energy)); }
 };
 
@@ -2664,7 +2664,7 @@ public:
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_port_side_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_two_port_side_f64screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_port_side_f64screw_receive(&storage, energy)); }
 };
 
@@ -2678,7 +2678,7 @@ public:
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_drift_compensated_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32_receive(&storage, energy)); }
 };
 
@@ -2689,7 +2689,7 @@ public:
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_drift_compensated_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64_receive(&storage, energy)); }
 };
 
@@ -2700,7 +2700,7 @@ public:
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_drift_compensated_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x3_receive(&storage, energy)); }
 };
 
@@ -2711,7 +2711,7 @@ public:
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_drift_compensated_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x3_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x3_receive(&storage, energy)); }
 };
 
@@ -2722,7 +2722,7 @@ public:
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_drift_compensated_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32x6_receive(&storage, energy)); }
 };
 
@@ -2733,7 +2733,7 @@ public:
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_drift_compensated_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64x6_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64x6_receive(&storage, energy)); }
 };
 
@@ -2744,7 +2744,7 @@ public:
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_drift_compensated_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     float absorbed() const noexcept { return lyapunov_drift_compensated_f32screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f32screw_receive(&storage, energy)); }
 };
 
@@ -2755,7 +2755,7 @@ public:
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_drift_compensated_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side absorbed since the start, J, to be sent to the other; NaN if the storage is not initialised. */
     double absorbed() const noexcept { return lyapunov_drift_compensated_f64screw_absorbed(&storage); }
-    /* What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_drift_compensated_f64screw_receive(&storage, energy)); }
 };
 
@@ -2769,7 +2769,7 @@ public:
     lyapunov_correction_f32 step(const lyapunov_sample_f32 &sample, float effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f32>(); lyapunov_two_layer_f32_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32_receive(&storage, energy)); }
 };
 
@@ -2780,7 +2780,7 @@ public:
     lyapunov_correction_f64 step(const lyapunov_sample_f64 &sample, double effort) noexcept { auto correction = detail::unanswered<lyapunov_correction_f64>(); lyapunov_two_layer_f64_step(&storage, &sample, effort, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64_receive(&storage, energy)); }
 };
 
@@ -2791,7 +2791,7 @@ public:
     lyapunov_correction_f32x3 step(const lyapunov_sample_f32x3 &sample, View<float, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x3>(); lyapunov_two_layer_f32x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x3_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x3_receive(&storage, energy)); }
 };
 
@@ -2802,7 +2802,7 @@ public:
     lyapunov_correction_f64x3 step(const lyapunov_sample_f64x3 &sample, View<double, 3> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x3>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x3>(); lyapunov_two_layer_f64x3_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x3_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x3_receive(&storage, energy)); }
 };
 
@@ -2813,7 +2813,7 @@ public:
     lyapunov_correction_f32x6 step(const lyapunov_sample_f32x6 &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f32x6>(); lyapunov_two_layer_f32x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32x6_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32x6_receive(&storage, energy)); }
 };
 
@@ -2824,7 +2824,7 @@ public:
     lyapunov_correction_f64x6 step(const lyapunov_sample_f64x6 &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64x6>(effort); auto correction = detail::unanswered<lyapunov_correction_f64x6>(); lyapunov_two_layer_f64x6_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64x6_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64x6_receive(&storage, energy)); }
 };
 
@@ -2835,7 +2835,7 @@ public:
     lyapunov_correction_f32screw step(const lyapunov_sample_f32screw &sample, View<float, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f32screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f32screw>(); lyapunov_two_layer_f32screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     float sent() const noexcept { return lyapunov_two_layer_f32screw_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(float energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f32screw_receive(&storage, energy)); }
 };
 
@@ -2846,7 +2846,7 @@ public:
     lyapunov_correction_f64screw step(const lyapunov_sample_f64screw &sample, View<double, 6> effort) noexcept { const auto effort_form = detail::form<lyapunov_f64screw>(effort); auto correction = detail::unanswered<lyapunov_correction_f64screw>(); lyapunov_two_layer_f64screw_step(&storage, &sample, &effort_form, &correction); return correction; }
     /* What this side sent since the start, J, to be told the other; NaN if the storage is not initialised. */
     double sent() const noexcept { return lyapunov_two_layer_f64screw_sent(&storage); }
-    /* What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
+    /* The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets before, by a checksum. */
     Code receive(double energy) noexcept { return static_cast<Code>(lyapunov_two_layer_f64screw_receive(&storage, energy)); }
 };
 

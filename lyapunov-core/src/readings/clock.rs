@@ -10,8 +10,8 @@ pub struct Steady;
 /// Readings at the times of a clock that the caller reads, in seconds from any start.
 ///
 /// The times are `f64` whatever the port's scalar, so that a year still has nanoseconds, and one clock serves all lanes.
-/// Where it is moved on by a period, that is the period of the first lane. What cannot be a time between two readings counts as one period, is reported ([`CheckedSample::timed`]), and spoils
-/// no later one:
+/// A period by which it is moved on is that of the first lane. A time that cannot be one between two readings counts as one
+/// period, is reported ([`CheckedSample::timed`]), and spoils no later one:
 ///
 /// | time of a reading | counts as | the clock is taken to have gone on |
 /// |---|---|---|

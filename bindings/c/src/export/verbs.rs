@@ -208,9 +208,9 @@ macro_rules! verbs {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::told_by(storage, |body| body.absorbed()) }
             }
-            /// What the other side said it absorbed, J. Packets may come late, twice or not at all: one that is not finite, or not above
-            /// the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets
-            /// before, by a checksum.
+            /// The energy that the other side told it absorbed, J. Packets may come late, twice or not at all: one that is not finite,
+            /// or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are
+            /// ignored: check packets before, by a checksum.
             fn receive(storage: *mut Storage<Block>, energy: T) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::change(storage, |body| body.receive(energy)) }
@@ -224,9 +224,9 @@ macro_rules! verbs {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::told_by(storage, |body| body.sent()) }
             }
-            /// What the other side said it sent, J. Packets may come late, twice or not at all: one that is not finite, or not above
-            /// the largest so far, is ignored. A false one that is above it stays, and later true ones below it are ignored: check packets
-            /// before, by a checksum.
+            /// The energy that the other side told it sent, J. Packets may come late, twice or not at all: one that is not finite,
+            /// or not above the largest so far, is ignored. A false one that is above it stays, and later true ones below it are
+            /// ignored: check packets before, by a checksum.
             fn receive(storage: *mut Storage<Block>, energy: T) -> u32 {
                 // SAFETY: as the caller says.
                 unsafe { $crate::verbs::change(storage, |body| body.receive(energy)) }

@@ -3,7 +3,7 @@
 use super::{Explanation, hint};
 use crate::measure::{Verdict, Yardstick};
 
-/// What a run has to be after a change for that to help.
+/// Condition that a run meets after a change that helps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Goal {
     /// It does not grow.

@@ -90,7 +90,7 @@ pub struct Tuning {
     pub runs: u32,
     /// Seed of the ensemble.
     pub seed: u64,
-    /// How far the numbers of the scene move in it.
+    /// The share by which the numbers of the scene move in it.
     pub moves: Moves,
 }
 

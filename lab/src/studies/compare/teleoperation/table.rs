@@ -21,7 +21,7 @@ pub(super) fn setting(file: &Teleoperator) -> String {
     setting
 }
 
-/// What the columns are compared with, and the settings of the stabilizers; the terminal breaks the line at each semicolon.
+/// The reference of the columns, and the settings of the stabilizers; the terminal breaks the line at each semicolon.
 pub(super) fn start(file: &Teleoperator) -> String {
     let (cap, layers) = (file.stabilizer.damping_cap.get(), file.layers());
     let cap =
