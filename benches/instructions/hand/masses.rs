@@ -92,13 +92,15 @@ macro_rules! masses {
             /// The displacement over a period under `effort`.
             #[inline(always)]
             fn advance(&mut self, effort: $real) -> $real {
-                let before = self.position;
+                let (before, start) = (self.position, self.velocity);
                 let [k, b, f] = self.rates;
                 let acceleration = |x: $real, v: $real| x * k + v * b + effort * f;
                 let (step, half) = (self.interval, self.interval * 0.5);
                 let sixth = step * (1.0 / 6.0);
+                // Summed apart, since each gain of many short steps would be rounded to the size of the state.
+                let (mut moved, mut gained) = (0.0, 0.0);
                 for _ in 0..self.steps {
-                    let (x, v) = (self.position - self.rest, self.velocity);
+                    let (x, v) = (before + moved - self.rest, start + gained);
                     let a1 = acceleration(x, v);
                     let v2 = v + a1 * half;
                     let a2 = acceleration(x + v * half, v2);
@@ -107,9 +109,10 @@ macro_rules! masses {
                     let v4 = v + a3 * step;
                     let a4 = acceleration(x + v3 * step, v4);
                     let inner = a2 + a3;
-                    self.position += (v + (a1 + inner) * sixth) * step;
-                    self.velocity += (a1 + inner + inner + a4) * sixth;
+                    moved += (v + (a1 + inner) * sixth) * step;
+                    gained += (a1 + inner + inner + a4) * sixth;
                 }
+                (self.position, self.velocity) = (before + moved, start + gained);
                 self.position - before
             }
         }
