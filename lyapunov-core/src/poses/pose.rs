@@ -53,6 +53,12 @@ impl<T: Scalar> Pose<T> {
         Self { position, quaternion: Vector4::new(zero, zero, zero, one) }
     }
 
+    /// Lanes in which a displacement may be counted from the quaternion: it is finite and not 0.
+    pub(crate) fn is_turned(&self) -> T::Mask {
+        let size = self.quaternion.map(Scalar::magnitude).sum();
+        size.above(T::of(0.0)) & self.quaternion.finite()
+    }
+
     /// The orientation, of length 1.
     #[inline]
     pub fn orientation(&self) -> UnitQuaternion<T> {

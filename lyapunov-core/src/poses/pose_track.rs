@@ -66,7 +66,7 @@ impl<T: Angle, F: Axes> Snapshot for PoseTrack<T, F> {
 
     fn restored(self, (at, known, left): Self::State) -> Result<Self, ParameterError> {
         Requirement::Finite.check_axes("stored position", at.screw)?;
-        let sound = !known || Self::from(at.pose).known;
+        let sound = !known || at.pose.is_turned();
         Requirement::Finite.require::<T>("stored pose", T::of(f64::NAN), sound)?;
         Ok(Self { at, known, steps: self.steps.restored(left)? })
     }

@@ -38,7 +38,7 @@ pub trait Track<V: Signal>: Copy {
     /// `known`; and the track with this position.
     fn lead(self, place: Self::Place, last: V, known: <V::Scalar as Scalar>::Mask) -> (V, Self);
 
-    /// Mask of the lanes in which displacements from `last` are finite, so that a stored position can be gone on from.
+    /// Mask of the lanes in which a stored position `last` is one to count from.
     fn sound(last: V) -> <V::Scalar as Scalar>::Mask;
 
     /// `yes` where `mask` is true, else `no`.
@@ -172,7 +172,7 @@ impl<T: Angle, F: Axes> Track<WithPose<T, F>> for Poses<T, F> {
     }
 
     fn sound(last: WithPose<T, F>) -> bool {
-        (last.screw + Screw::between(&last.pose, &last.pose)).finite()
+        last.screw.finite() & last.pose.is_turned()
     }
 
     #[inline]
