@@ -1,6 +1,6 @@
 //! Lyapunov candidates: the functions whose decrease an observer sums.
 
-use crate::{ParameterError, PortSample, Scalar, Signal, Snapshot};
+use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// Lyapunov candidate `V`, given by its decrease over each sample.
 ///
@@ -140,6 +140,8 @@ impl<F, T: Scalar> Snapshot for StorageFunction<F, T> {
     }
 
     fn restored(self, last: T) -> Result<Self, ParameterError> {
-        Ok(Self { last: known(last), ..self })
+        let infinite = last.magnitude().above(T::largest());
+        Requirement::Finite.check("stored energy", T::choose(infinite, last, T::zero()))?;
+        Ok(Self { last, ..self })
     }
 }

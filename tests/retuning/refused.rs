@@ -59,6 +59,7 @@ fn a_clock_that_is_behind_itself_is_refused() {
 fn energies_and_forces_out_of_range_are_refused() {
     let slope = SlopeBound::<f64>::new(1e3).expect("one");
     assert!(slope.restored((f64::NAN, f64::NAN, 0.0)).is_err());
+    assert!(slope.restored((f64::INFINITY, 0.0, 0.0)).is_err());
     let path = PathMemory::<f64, 4>::beyond(0.0, 1.0).expect("one");
     let (forces, _) = path.state();
     assert!(path.restored((forces, -1.0)).is_err());

@@ -112,5 +112,8 @@ fn decreases_are_differences() {
     assert_eq!(two.1.decrease(&at(1.0, 2.0)), 0.0);
     assert_eq!(stored.restored(8.0).map(|mut it| it.decrease(&at(1.0, 2.0))), Ok(5.0));
     assert!(stored.restored(f64::INFINITY).is_err());
-    assert_eq!(StorageFunction::starting(function, f64::NAN, 0.0).state(), 0.0);
+    // Before the first energy that is known nothing is booked.
+    let mut unknown = StorageFunction::starting(function, f64::NAN, 0.0);
+    assert!(unknown.decrease(&at(3.0, 1.0)).is_nan());
+    assert_eq!(unknown.decrease(&at(1.0, 1.0)), 8.0);
 }
