@@ -125,7 +125,7 @@ impl Requirement {
     /// Nothing if `kept` in every lane: the check of what follows from a `given` value, which the caller has never seen itself.
     ///
     /// ```
-    /// use lyapunov_core::{Requirement, Scalar};
+    /// use lyapunov_core::{Requirement, Signal};
     /// let per_second = |period: f64| {
     ///     let rate = 1.0 / period;
     ///     Requirement::InRange.require("period", period, rate.finite()).map(|()| rate)
