@@ -15,7 +15,10 @@ if [ ! -d "$tools/node_modules/axe-core" ] || [ ! -d "$tools/node_modules/binary
 fi
 
 # The places of panics name files: not those of the machine that built it.
-places="--remap-path-prefix=$(cd "$here/.." && pwd)= --remap-path-prefix=${CARGO_HOME:-$HOME/.cargo}/registry/src= --remap-path-prefix=$(rustc --print sysroot)="
+places="--remap-path-prefix=$(cd "$here/.." && pwd)= --remap-path-prefix=$(rustc --print sysroot)="
+for folder in "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/; do
+    places+=" --remap-path-prefix=$folder="
+done
 # The names that functions keep until they are packed tell what each part takes.
 RUSTFLAGS="-C target-feature=+simd128 -C symbol-mangling-version=v0 $places" cargo build --quiet --release --manifest-path "$here/Cargo.toml" \
     --target wasm32-unknown-unknown --target-dir "$target/web/cargo" --lib

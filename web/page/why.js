@@ -25,7 +25,7 @@ export const written = (set) => Object.entries(set).map(([key, it]) => `${key} =
 
 /** The sentence on a run, where the hint of the command has none. */
 function sentence(hint, told, name) {
-  if (hint) return hint.replace(/^why\s+/, "").replace(/^./, (first) => first.toUpperCase()) + ".";
+  if (hint) return hint.replace(/^./, (first) => first.toUpperCase()) + ".";
   const radius = told.spectral_radius;
   const held = name !== "none" && told.whole_run.controller !== 0;
   const but = held ? "the stabilizer holds it." : "this run is not in contact long enough to grow.";

@@ -21,8 +21,7 @@ pub extern "C" fn explain() -> u32 {
 fn explained<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
     let rollout = Rollout::<V>::of(scene).map_err(|error| error.to_string())?;
     let summary = Summary::of(scene, rollout);
-    let hint = Hint::of(&summary).to_string();
-    let sentence = hint.lines().next().unwrap_or_default().trim();
+    let sentence = Hint::of(&summary).sentence().unwrap_or_default();
     let explanation = Explanation::of::<V>(scene).map_err(|error| error.to_string())?;
     let json = explanation.to_json("page").map_err(|error| error.to_string())?;
     Ok(format!("{sentence}\n{json}").into_bytes())

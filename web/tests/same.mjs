@@ -114,6 +114,12 @@ export async function reasons(browser) {
   assert.equal((await verdicts(page))[0], remedies[0].verdict);
   await page.until("document.querySelector('#why-said').textContent.length > 1");
   assert.equal(await page.value("document.activeElement.id"), "why-said");
+  const calm = 'servo_rate = 1000\nduration = 2\ndevice = { mass = 0.2, damping = 3 }\noperator = { mass = 0.1, stiffness = 50 }\n[environment.wall]\nstiffness = 40000\n';
+  writeFileSync(path, calm);
+  await drop(page, [["calm.toml", calm]]);
+  await page.until("document.querySelector('#why-said').textContent.includes('in balance')");
+  const note = lyapunov("run", path).replace(/\s+/g, " ").split(" note ")[1].trim();
+  assert.equal((await page.value("document.querySelector('#why-said').textContent")).toLowerCase(), `${note.toLowerCase()}.`);
   await closed(page);
 }
 

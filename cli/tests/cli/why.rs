@@ -48,6 +48,18 @@ fn the_limits_are_printed_in_words_and_as_json() {
 }
 
 #[test]
+fn a_run_that_stays_in_balance_says_so_in_one_sentence() {
+    let place = place();
+    place.put("calm.toml", WALL.replace("rest = 0.004", "rest = 0.0").replace("= -0.004", "= 0.0"));
+    let run = place.run(["run", "calm.toml", "--out", "calm"]);
+    run.ended(0, &["verdict settles", "starts in balance", "start it elsewhere"]);
+    let words = run.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    let sentence = words.split(" note ").nth(1).unwrap().split("elsewhere").next().unwrap();
+    let page = place.text("calm/report.html");
+    assert!(page.contains(&format!("<td>{sentence}elsewhere</td>")), "{sentence}");
+}
+
+#[test]
 fn a_remedy_put_into_the_file_ends_what_grows() {
     let place = place();
     let run = place.run(["run", "wall.toml"]);

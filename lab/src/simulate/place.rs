@@ -28,8 +28,7 @@ impl Place {
 
     /// The place at `position`.
     pub(crate) fn at<V: Space>(position: V) -> Self {
-        let axis = |index| if index < V::DIMENSIONS { position.axis(index) } else { 0.0 };
-        Self { axes: [0, 1, 2].map(axis), dimensions: V::DIMENSIONS }
+        Self { axes: position.axes(), dimensions: V::DIMENSIONS }
     }
 
     /// The coordinates.

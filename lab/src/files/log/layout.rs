@@ -59,11 +59,11 @@ impl Layout {
                 ))
                 .with_help("give --columns a column of its own for each"));
             }
-            wanted.push((index, role));
+            let place = wanted.partition_point(|(other, _)| *other < index);
+            wanted.insert(place, (index, role));
             let heading = String::from_utf8_lossy(fields[index]).into_owned();
             headings.push((role, asked.to_owned(), heading));
         }
-        wanted.sort_by_key(|(index, _)| *index);
         let is_row = columns.numbered()
             && wanted.iter().any(|(index, _)| is_number(fields[*index], delimiter));
         Ok(Self { delimiter, width: fields.len(), wanted, headings, line: at, is_row })

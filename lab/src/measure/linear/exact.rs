@@ -43,7 +43,7 @@ impl LinearPart {
         let map = LoopMap::of(self);
         let mut edges = Crossings::of(&map).stiffnesses();
         edges.push(0.0);
-        edges.sort_by(f64::total_cmp);
+        edges.sort_unstable_by(f64::total_cmp);
         let stable = |index: usize| {
             let (low, high) = (edges[index], edges.get(index + 1));
             let inside = match high {

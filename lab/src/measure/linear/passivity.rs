@@ -153,7 +153,7 @@ fn angles(late: u64) -> Vec<f64> {
     let least = LEAST / (late + 1) as f64;
     let towards_zero = std::iter::successors(Some(least), |angle| Some(angle * RATIO));
     let mut angles: Vec<f64> = even.chain(towards_zero.take_while(|angle| *angle < PI)).collect();
-    angles.sort_by(f64::total_cmp);
+    angles.sort_unstable_by(f64::total_cmp);
     angles
 }
 

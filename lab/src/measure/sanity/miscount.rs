@@ -44,22 +44,8 @@ struct Last {
 
 impl Miscount {
     pub(super) fn add<V: Space>(&mut self, tick: &Tick<V>) {
-        let mut now = Last::default();
-        for axis in 0..V::DIMENSIONS {
-            now.force[axis] = tick.applied.axis(axis);
-            let samples = [&tick.truth, &tick.measured];
-            for (place, sample) in now.places.iter_mut().zip(samples) {
-                place[axis] = sample.position.axis(axis);
-            }
-        }
-        if let Some(Last { force, places }) = self.last.replace(now) {
-            let ways = places.iter().zip(&now.places);
-            for (work, (from, to)) in self.work.iter_mut().zip(ways) {
-                let parts = force.iter().zip(from.iter().zip(to));
-                *work += parts.map(|(force, (from, to))| force * (to - from)).sum::<f64>();
-            }
-        }
-        self.most = self.most.max(self.work[0]);
+        let places = [&tick.truth, &tick.measured].map(|it| it.position.axes());
+        self.move_on(Last { force: tick.applied.axes(), places });
         self.ticks += 1;
         self.owed = tick.correction.shortfall.lane(0);
         if self.owed > 0.0 {
@@ -68,6 +54,18 @@ impl Miscount {
         } else {
             (self.standing, self.braking) = (0, 0);
         }
+    }
+
+    /// Books the work of the last force on the way from there to here.
+    fn move_on(&mut self, now: Last) {
+        if let Some(Last { force, places }) = self.last.replace(now) {
+            let ways = places.iter().zip(&now.places);
+            for (work, (from, to)) in self.work.iter_mut().zip(ways) {
+                let parts = force.iter().zip(from.iter().zip(to));
+                *work += parts.map(|(force, (from, to))| force * (to - from)).sum::<f64>();
+            }
+        }
+        self.most = self.most.max(self.work[0]);
     }
 
     /// The sign of a stabilizer that still brakes at the end for a debt of which the true port knows nothing.

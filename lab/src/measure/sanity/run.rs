@@ -1,7 +1,7 @@
 //! Signs of a mistake in the run of a scene.
 
 use lyapunov::environments::Time;
-use lyapunov::{Mask, Scalar};
+use lyapunov::{Mask, PortSample, Scalar};
 
 use super::miscount::Miscount;
 use super::{Oddity, Sign, scene};
@@ -54,35 +54,37 @@ impl RunSigns {
     }
 
     pub(crate) fn add<V: Space>(&mut self, tick: &Tick<V>) {
-        let size = |signal: &V| {
-            (0..V::DIMENSIONS).fold(0.0_f64, |size, axis| size.max(signal.axis(axis).abs()))
-        };
-        let (environment, position) = (size(&tick.environment), tick.truth.position.axis(0));
+        let (environment, position) =
+            (largest(tick.environment.axes()), tick.truth.position.axis(0));
         if environment != 0.0 {
             self.first.get_or_insert(self.ticks);
         }
         self.environment = self.environment.max(environment);
-        self.applied = self.applied.max(size(&tick.applied));
+        self.applied = self.applied.max(largest(tick.applied.axes()));
         (self.low, self.high) = (self.low.min(position), self.high.max(position));
-        let alpha = tick.correction.alpha.lane(0);
-        let moves = size(&tick.measured.velocity) != 0.0;
-        if Mask::all(tick.correction.accepted) && alpha != 0.0 && moves {
-            self.damped += 1;
-            let is_clipped = (0..V::DIMENSIONS).all(|axis| {
-                let forces = [&tick.environment, &tick.command].map(|it| it.axis(axis));
-                tick.measured.velocity.axis(axis) == 0.0
-                    || forces.iter().all(|force| force.abs() >= self.limit)
-                        && forces[0].signum() == forces[1].signum()
-            });
-            self.clipped += u64::from(is_clipped);
-            let power = (0..V::DIMENSIONS).map(|axis| {
-                let velocity = tick.measured.velocity.axis(axis);
-                alpha * velocity * velocity * tick.measured.period.lane(0)
-            });
-            self.asked += power.sum::<f64>();
+        if Mask::all(tick.correction.accepted) {
+            let forces = [tick.environment, tick.command].map(Space::axes);
+            let PortSample { velocity, period, .. } = tick.measured;
+            let alpha = tick.correction.alpha.lane(0);
+            self.damp(alpha, velocity.axes(), period.lane(0), forces);
         }
         self.miscount.add(tick);
         self.ticks += 1;
+    }
+
+    /// Counts a damping of a motion, with the forces of the environment and after the saturation.
+    fn damp(&mut self, alpha: f64, velocity: [f64; 3], period: f64, forces: [[f64; 3]; 2]) {
+        if alpha == 0.0 || largest(velocity) == 0.0 {
+            return;
+        }
+        self.damped += 1;
+        let is_clipped = (0..3).all(|axis| {
+            let [own, left] = forces.map(|force| force[axis]);
+            let is_at_limit = own.abs() >= self.limit && left.abs() >= self.limit;
+            velocity[axis] == 0.0 || is_at_limit && own.signum() == left.signum()
+        });
+        self.clipped += u64::from(is_clipped);
+        self.asked += velocity.map(|it| alpha * it * it * period).iter().sum::<f64>();
     }
 
     /// Whether any force acted on the plant.
@@ -165,6 +167,10 @@ impl RunSigns {
             Oddity::new(Sign::Reversed, text)
         })
     }
+}
+
+fn largest(axes: [f64; 3]) -> f64 {
+    axes.iter().fold(0.0, |size, axis| size.max(axis.abs()))
 }
 
 /// All ticks of a run, in words.

@@ -33,7 +33,12 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// The value along axis `index`, in the first lane; NaN past the last axis.
     fn axis(self, index: usize) -> f64;
 
-    /// The same in `f64`, in the first lane.
+    /// The values along all axes, in the first lane, and 0 in place of axes that it does not have.
+    fn axes(self) -> [f64; 3] {
+        [0, 1, 2].map(|index| if index < Self::DIMENSIONS { self.axis(index) } else { 0.0 })
+    }
+
+    /// The signal in `f64`, in the first lane.
     fn double(self) -> Self::Double;
 
     /// The length, in the first lane: on a line the magnitude.

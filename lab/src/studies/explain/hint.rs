@@ -14,8 +14,11 @@ pub(super) const LEFT: &str =
 pub(super) const TRANSIENT: &str =
     "the loop is linear and stable: the growth is a beat or a transient; run longer";
 
-/// The reason why a run grows: its `Display` gives it in two lines. Under a run that starts in balance and stays there it is a
-/// remark on that, and under another run nothing.
+/// The last line under a run that grows.
+pub(crate) const NEXT: &str = "`lyapunov explain` says where the energy came from and what helps";
+
+/// The reason why a run grows: its `Display` gives it with the command that says more. Under a run that starts in balance
+/// and stays there it is a remark on that, and under another run nothing.
 #[derive(Clone, Debug)]
 pub struct Hint<'a>(&'a Summary);
 
@@ -23,6 +26,11 @@ impl<'a> Hint<'a> {
     /// The hint to a run.
     pub fn of(summary: &'a Summary) -> Self {
         Self(summary)
+    }
+
+    /// The reason or the remark, in one sentence; none under a run that needs neither.
+    pub fn sentence(&self) -> Option<String> {
+        if self.0.verdict() == Verdict::Grows { Some(self.reason()) } else { self.undisturbed() }
     }
 
     /// The reason, as far as a formula gives one, in the words of [`Explanation`](super::Explanation).
@@ -100,15 +108,11 @@ impl<'a> Hint<'a> {
 
 impl fmt::Display for Hint<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(sentence) = self.sentence() else { return Ok(()) };
         if self.0.verdict() != Verdict::Grows {
-            let note = self.undisturbed().map(|note| folded("  note         ", &note));
-            return note.map_or(Ok(()), |note| writeln!(f, "{note}"));
+            return writeln!(f, "{}", folded("  note         ", &sentence));
         }
-        writeln!(f, "  why          {}", self.reason())?;
-        writeln!(
-            f,
-            "               `lyapunov explain` says where the energy came from and what helps"
-        )
+        writeln!(f, "{}\n               {NEXT}", folded("  why          ", &sentence))
     }
 }
 

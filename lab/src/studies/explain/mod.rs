@@ -21,7 +21,9 @@ use crate::measure::balance::Trial;
 pub use crate::measure::{Balance, Watch};
 pub use groups::DimensionlessGroups;
 pub use hint::Hint;
+pub(crate) use hint::NEXT;
 pub use remedy::{Change, Remedy};
+use remedy::{Run, Search};
 
 /// Reasons why the run of a scene settles, swings or grows; its `Display` is the output of `lyapunov explain`.
 #[derive(Clone, Debug, PartialEq)]
@@ -77,6 +79,11 @@ impl Explanation {
     /// The same, of what ran until `watch` broke.
     fn along<V: Space>(scene: &Scene, watch: &Watch<'_>) -> Result<Self, ParameterError> {
         let trial = Trial::along(scene, Rollout::<V>::of(scene)?, watch)?;
+        Ok(Self::told(scene, trial, Trial::that_holds::<V>, watch))
+    }
+
+    /// What `trial`, a run of `scene`, comes to, and the remedies among further runs.
+    fn told(scene: &Scene, trial: Trial, run: Run, watch: &Watch<'_>) -> Self {
         let limits = Limits::of(scene);
         let outside = scene.stabilizer.and_then(|own| Oddity::outside(scene, own));
         let look_at = trial.look_at.into_iter().chain(outside).collect();
@@ -94,8 +101,8 @@ impl Explanation {
             remedies: Vec::new(),
             look_at,
         };
-        let goal = explanation.goal();
-        let remedies = goal.map_or_else(Vec::new, |it| remedy::remedies::<V>(scene, it, watch));
-        Ok(Self { remedies, ..explanation })
+        let search = explanation.goal().map(|goal| Search { goal, run, watch });
+        let remedies = search.map_or_else(Vec::new, |it| it.remedies(scene));
+        Self { remedies, ..explanation }
     }
 }

@@ -9,7 +9,6 @@ use crate::files::scene::{
 };
 use crate::measure::balance::{Feel, Trial};
 use crate::measure::{LinearPart, Verdict};
-use crate::simulate::Space;
 
 /// Safety factor that keeps a remedy inside a limit.
 const MARGIN: f64 = 0.95;
@@ -55,34 +54,36 @@ pub enum Change {
     Word(&'static str),
 }
 
-/// All remedies found for the loop of `scene`, whose runs reach `goal`.
-pub(super) fn remedies<V: Space>(scene: &Scene, goal: Goal, watch: &Watch<'_>) -> Vec<Remedy> {
-    let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
-        return Vec::new();
-    };
-    let search = Search { goal, watch };
-    let found =
-        [softer::<V>(&bare, &search), faster::<V>(&bare, &search), damped::<V>(&bare, &search)];
-    found.into_iter().flatten().chain(stabilized::<V>(&bare, &search)).collect()
-}
+/// Run of a scene in one space, reported to a watch; none if it grows or does not decay.
+pub(super) type Run = fn(&Scene, &Watch<'_>) -> Option<Trial>;
 
 /// Search for changes whose run reaches a goal.
-struct Search<'a> {
-    goal: Goal,
-    watch: &'a Watch<'a>,
+pub(super) struct Search<'a> {
+    pub(super) goal: Goal,
+    pub(super) run: Run,
+    pub(super) watch: &'a Watch<'a>,
 }
 
 impl Search<'_> {
+    /// All remedies found for the loop of `scene`.
+    pub(super) fn remedies(&self, scene: &Scene) -> Vec<Remedy> {
+        let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
+            return Vec::new();
+        };
+        let found = [softer(&bare, self), faster(&bare, self), damped(&bare, self)];
+        found.into_iter().flatten().chain(stabilized(&bare, self)).collect()
+    }
+
     fn is_stopped(&self) -> bool {
         (self.watch)(0).is_break()
     }
 
     /// The changes that made `scene`, if its run reaches the goal.
-    fn tried<V: Space>(&self, scene: Scene, changes: Vec<(String, Change)>) -> Option<Remedy> {
+    fn tried(&self, scene: Scene, changes: Vec<(String, Change)>) -> Option<Remedy> {
         if self.is_stopped() {
             return None;
         }
-        let trial = Trial::that_holds::<V>(&scene, self.watch);
+        let trial = (self.run)(&scene, self.watch);
         let trial = trial.filter(|trial| self.goal.is_reached(trial.verdict))?;
         let Trial { verdict, feel: Feel { peak, error }, .. } = trial;
         Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
@@ -90,7 +91,7 @@ impl Search<'_> {
 }
 
 /// The largest stiffness whose loop holds.
-fn softer<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
+fn softer(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let own = scene.environment.kind().impedance()?.stiffness;
     let limit = LinearPart::of(scene).ok().and_then(|part| part.stable_stiffness());
     let most = match limit {
@@ -104,12 +105,12 @@ fn softer<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
         let mut softer = scene.to_draft();
         softer.environment.kind_mut().set_stiffness(stiffness)?;
         let key = format!("environment.{}.stiffness", softer.environment.name());
-        search.tried::<V>(softer.check().ok()?, vec![(key, Change::Number(stiffness))])
+        search.tried(softer.check().ok()?, vec![(key, Change::Number(stiffness))])
     })
 }
 
 /// The lowest rate at which the loop holds: the environment's, and if that already is the servo's, both.
-fn faster<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
+fn faster(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let at = |servo: f64, ratio: u64| {
         let mut faster = scene.to_draft();
         faster.servo_rate = Positive::new(servo).ok()?;
@@ -127,7 +128,7 @@ fn faster<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
         let rate = if ratio > 1 { own / ratio as f64 } else { own };
         let change = vec![("environment_rate".to_owned(), Change::Number(rate))];
         if decays(&faster)
-            && let Some(found) = search.tried::<V>(faster, change)
+            && let Some(found) = search.tried(faster, change)
         {
             return Some(found);
         }
@@ -140,12 +141,12 @@ fn faster<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
         if scene.environment_rate.is_some() {
             changes.push(("environment_rate".to_owned(), Change::Number(rate)));
         }
-        search.tried::<V>(at(rate, 1)?, changes)
+        search.tried(at(rate, 1)?, changes)
     })
 }
 
 /// The least damping of the device with which the loop holds.
-fn damped<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
+fn damped(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let own = scene.device.damping.get();
     // Starts from zero damping too: a share of the damping that stops the mass within a period.
     let unit = 1e-6 * scene.port_mass() / scene.period();
@@ -159,12 +160,12 @@ fn damped<V: Space>(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     (0..TRIALS).find_map(|trial| {
         let damping = rounded_up(least / MARGIN * FURTHER.powi(trial));
         let change = vec![("device.damping".to_owned(), Change::Number(damping))];
-        search.tried::<V>(at(damping)?, change)
+        search.tried(at(damping)?, change)
     })
 }
 
 /// Each stabilizer with which the loop holds, with the largest of some damping limits.
-fn stabilized<V: Space>(scene: &Scene, search: &Search<'_>) -> Vec<Remedy> {
+fn stabilized(scene: &Scene, search: &Search<'_>) -> Vec<Remedy> {
     let ledger = Ledger::default();
     let popc = |cap| Stabilizer::Popc(Popc { work: Work::Held, ledger, damping_cap: Some(cap) });
     let lolc = |cap| {
@@ -184,7 +185,7 @@ fn stabilized<V: Space>(scene: &Scene, search: &Search<'_>) -> Vec<Remedy> {
                 changes.push(("stabilizer.lolc.candidate".to_owned(), word));
             }
             let draft = Draft { stabilizer, ..scene.to_draft() };
-            search.tried::<V>(draft.check().ok()?, changes)
+            search.tried(draft.check().ok()?, changes)
         })
     };
     [with("popc", &popc), with("lolc", &lolc)].into_iter().flatten().collect()

@@ -8,7 +8,7 @@ use crate::show::beside::beside;
 use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::labelled::labelled;
-use crate::studies::explain::Hint;
+use crate::studies::explain::{Hint, NEXT};
 
 impl Curves {
     /// The page of the run of the scene called `name`, with the log that is `laid` over it, as HTML; `command` made it.
@@ -20,10 +20,9 @@ impl Curves {
         command: &str,
     ) -> String {
         let scene = toml::to_string(&summary.scene).unwrap_or_default();
-        let hint = Hint::of(summary).to_string();
+        let told = format!("{summary}\n{}", Hint::of(summary));
         // The command to ask next is a sentence of its own.
-        let (why, next) = hint.split_once('\n').unwrap_or((&hint, ""));
-        let lines = format!("{summary}\n{why}");
+        let next = told.trim_end().strip_suffix(NEXT);
         let mut files =
             vec![("run.csv", "a row for each servo tick"), ("run.json", "the numbers above")];
         if laid.is_some() {
@@ -31,8 +30,8 @@ impl Curves {
         }
         let body = html! {
             p { "By " (html::maker(command)) "." }
-            (labelled(&lines))
-            @if !next.trim().is_empty() { p { (html::coded(next.trim())) "." } }
+            (labelled(next.unwrap_or(&told)))
+            @if next.is_some() { p { (html::coded(NEXT)) "." } }
             h2 { "What the loop does" }
             (html::figure(Some("run"), &self.figure(name, summary), &html! { (Self::caption(summary)) }))
             @if let Some(laid) = laid { (laid.markup()) }
