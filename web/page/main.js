@@ -324,11 +324,11 @@ function choices() {
   $("legend").append(made("li", { className: "bound" }, "exact limit of the linear loop"));
 }
 
-/** Takes the scene of the page's address, if it holds one. */
-function share() {
+/** Takes the scene of an address, if it holds one. */
+function share({ hash }) {
   let shared = null;
   try {
-    shared = ofAddress(location.hash);
+    shared = ofAddress(hash);
   } catch {
     $("fault").textContent = "The address holds no scene: it may have been cut where it was copied.";
     keep();
@@ -366,8 +366,9 @@ async function begin(module, source) {
   place = hands({ canvas: $("wall"), tip: $("tip"), again: $("again") }, stage, loops);
   wire({ $, engine, now: () => ({ tree: shown(), name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
-  share();
-  addEventListener("hashchange", share);
+  share(location);
+  // Its own address: that of the page may hold the last scene again by now.
+  addEventListener("hashchange", ({ newURL }) => share(new URL(newURL)));
   redraws();
   requestAnimationFrame((now) => {
     last = now;

@@ -101,6 +101,9 @@ export async function refused(browser) {
   await cut.until("location.hash.includes('servo_rate')");
   await cut.value("location.hash = '#duration=%2'; 0");
   await cut.until("location.hash.includes('servo_rate') && document.querySelector('#fault').textContent.includes('cut')");
+  // An address counts, also where what was moved just before is written over it.
+  await cut.value("((was) => { location.hash = was.replace('duration=2&', 'duration=4&'); history.replaceState(null, '', was); })(location.hash)");
+  await cut.until("lyapunov.state.tree.duration === 4");
   const shipped = (name) => readFileSync(join(root, `scenes/${name}.toml`), "utf8");
   const own = Object.fromEntries(["sphere", "hold", "press-1khz", "filter-cutoff"].map((name) => [name, shipped(name)]));
   const other = { ...own, exact: `velocity = "exact"\n${shipped("paper-8k-none")}` };
