@@ -271,6 +271,24 @@ fn what_is_not_finite_is_left_out() {
     assert_eq!(EnergyMeter::<f64>::default().summary(), EnergySummary::default());
 }
 
+/// Of observed energies NaN alone is left out, also at the start.
+#[test]
+fn the_least_and_the_most_are_of_all_that_are_numbers() {
+    let sound = tick(PERIOD, [0.0, 0.1, 1e-4, 2.0]);
+    let extremes = |energies: &[f64]| {
+        let mut meter = EnergyMeter::new();
+        for &observed_energy in energies {
+            meter.add(&sound, &Correction { observed_energy, ..Correction::none(0.0) });
+        }
+        let summary = meter.summary();
+        (summary.least, summary.most)
+    };
+    let least = f64::NEG_INFINITY;
+    assert_eq!(extremes(&[f64::NAN, 5.0, f64::NAN, 1.0]), (1.0, 5.0));
+    assert_eq!(extremes(&[5.0, least, 1.0]), (least, 5.0));
+    assert_eq!(extremes(&[least, 1.0, f64::NAN]), (least, 1.0));
+}
+
 /// The samples of no time are neutral.
 #[test]
 fn defaults_change_nothing() {

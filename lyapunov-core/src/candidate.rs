@@ -84,8 +84,8 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 /// `V` is the energy of the side that moves the port: when it falls, the port absorbed. It is the other side of
 /// [`PortEnergy`], which counts what the environment stores as positive; the energy of a virtual spring at the
 /// port therefore goes in with a minus sign. Where `V` is not finite, the last finite value is kept, so that the next
-/// finite one spans the gap; in a sum of terms only this term does so. Before the first finite value there is no decrease: it
-/// is NaN, and an observer leaves it out.
+/// finite one spans the gap; in a sum of terms only this term does so. The first finite value, where the one at the
+/// start is not, decreases by 0.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -126,7 +126,7 @@ where
     #[inline(always)]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let now = (self.function)(sample.position, sample.velocity);
-        let decrease = self.last - now;
+        let decrease = V::Scalar::choose(self.last.finite(), self.last, now) - now;
         self.last = V::Scalar::choose(now.finite(), now, self.last);
         decrease
     }
@@ -140,8 +140,6 @@ impl<F, T: Scalar> Snapshot for StorageFunction<F, T> {
     }
 
     fn restored(self, last: T) -> Result<Self, ParameterError> {
-        let infinite = last.magnitude().above(T::largest());
-        Requirement::Finite.check("stored energy", T::choose(infinite, last, T::zero()))?;
-        Ok(Self { last, ..self })
+        Ok(Self { last: Requirement::Finite.check_known("stored energy", last)?, ..self })
     }
 }

@@ -122,6 +122,21 @@ impl Requirement {
         }
     }
 
+    /// `value` if every axis meets the requirement in every lane, or is NaN there: a stored value that may be unknown.
+    ///
+    /// # Errors
+    /// As [`check_axes`](Self::check_axes).
+    pub fn check_known<V: Signal>(
+        self,
+        parameter: &'static str,
+        value: V,
+    ) -> Result<V, ParameterError> {
+        let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
+        // A number's magnitude is above −1, a NaN's is not.
+        let known = value.map(|axis| V::Scalar::choose(axis.magnitude().above(-one), axis, zero));
+        self.check_axes(parameter, known).map(|_| value)
+    }
+
     /// Nothing if `kept` in every lane: the check of what follows from a `given` value, which the caller has never seen itself.
     ///
     /// ```

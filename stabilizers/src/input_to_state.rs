@@ -55,7 +55,7 @@ pub struct InputToState<P, V: Signal> {
     share: V::Scalar,
     feed: V::Scalar,
     answer: V,
-    asked: Option<V>,
+    asked: V,
     shift: V,
 }
 
@@ -88,8 +88,8 @@ impl<P, V: Signal> InputToState<P, V> {
         feed: V::Scalar,
     ) -> Result<Self, ParameterError> {
         let feed = Requirement::NonNegative.check("rate feed-forward", feed)?;
-        let zero = V::zero();
-        Ok(Self { port, slope, share, feed, answer: zero, asked: None, shift: zero })
+        let (zero, asked) = (V::zero(), V::splat(V::Scalar::of(f64::NAN)));
+        Ok(Self { port, slope, share, feed, answer: zero, asked, shift: zero })
     }
 
     /// The slope `μ`, N/m; 0 while none is known.
@@ -128,9 +128,9 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for InputToState<P, V> {
         let given = answer + change.scale(self.feed * rate);
 
         let sound = answer.finite() & position.finite();
-        let from = self.asked.unwrap_or(position);
+        let from = V::choose(self.asked.finite(), self.asked, position);
         self.watch(position - from, V::choose(sound, change, V::zero()));
-        self.asked = Some(V::choose(sound, position, V::choose(from.finite(), from, V::zero())));
+        self.asked = V::choose(sound, position, self.asked);
         self.shift = V::choose(shift.finite(), shift, self.shift);
         self.answer = V::choose(sound, answer, self.answer);
         given
@@ -143,8 +143,9 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for InputToState<P, V> {
 }
 
 impl<P: Snapshot, V: Signal> Snapshot for InputToState<P, V> {
-    /// The memory of the port inside, the slope, the last answer, the position it was asked at, and the shift.
-    type State = (P::State, V::Scalar, V, Option<V>, V);
+    /// The memory of the port inside, the slope, the last answer, the position it was asked at, NaN before the first, and
+    /// the shift.
+    type State = (P::State, V::Scalar, V, V, V);
 
     fn state(&self) -> Self::State {
         (self.port.state(), self.slope, self.answer, self.asked, self.shift)
@@ -156,7 +157,7 @@ impl<P: Snapshot, V: Signal> Snapshot for InputToState<P, V> {
     ) -> Result<Self, ParameterError> {
         let slope = Requirement::Limit.check("stored slope", slope)?;
         let answer = Requirement::Finite.check_axes("stored answer", answer)?;
-        Requirement::Finite.check_axes("stored position", asked.unwrap_or(answer))?;
+        let asked = Requirement::Finite.check_known("stored position", asked)?;
         let shift = Requirement::Finite.check_axes("stored shift", shift)?;
         Ok(Self { port: self.port.restored(port)?, slope, answer, asked, shift, ..self })
     }

@@ -135,8 +135,7 @@ impl<T: Scalar, const N: usize> Snapshot for MemoryBased<T, N> {
 
     fn restored(self, (last, forces, energy): Self::State) -> Result<Self, ParameterError> {
         if let Some(depth) = last {
-            let infinite = depth.magnitude().above(T::largest());
-            Requirement::Finite.check("stored depth", T::choose(infinite, depth, T::zero()))?;
+            Requirement::Finite.check_known("stored depth", depth)?;
         }
         let forces = Requirement::NonNegative.check_axes("stored force", forces)?.into();
         Ok(Self { last, forces, energy: self.energy.restored(energy)?, ..self })

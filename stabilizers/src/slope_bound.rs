@@ -192,11 +192,7 @@ impl<V: Signal, A: Snapshot> Snapshot for SlopeBound<V, A> {
     }
 
     fn restored(self, (asked, held, energy): Self::State) -> Result<Self, ParameterError> {
-        let infinite = asked.map(|axis| {
-            let infinite = axis.magnitude().above(V::Scalar::largest());
-            V::Scalar::choose(infinite, axis, V::Scalar::of(0.0))
-        });
-        Requirement::Finite.check_axes("stored effort", infinite)?;
+        let asked = Requirement::Finite.check_known("stored effort", asked)?;
         let held = Requirement::Finite.check_axes("stored effort", held)?;
         Ok(Self { asked, held, energy: self.energy.restored(energy)?, ..self })
     }

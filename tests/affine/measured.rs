@@ -66,6 +66,24 @@ fn after_a_state_that_is_not_finite_the_next_spans_the_gap() {
     assert_eq!(port.tell(Vector2::new(0.13, 1.0), none).period.lane(0), 0.01);
 }
 
+/// A port whose first state is lost begins with the next.
+#[test]
+fn after_a_first_state_that_is_not_finite_the_next_begins() {
+    let energy = UprightEnergy::new(pendulum::<f64>(), 6.0).expect("an energy");
+    let lost = Vector2::new(f64::NAN, 0.0);
+    let mut port = MeasuredPlant::new(pendulum(), energy, 0.01, lost).expect("a port");
+    let mut whole =
+        MeasuredPlant::new(pendulum(), energy, 0.01, Vector2::new(0.1, 1.0)).expect("a port");
+    let input = Vector1::new(2.0);
+    assert!(!port.start().finite() && !port.tell(lost, input).finite());
+    let first = port.tell(Vector2::new(0.1, 1.0), input);
+    assert!(first.finite());
+    let none = WithState { input: Vector1::new(0.0), state: Vector2::zeros() };
+    assert_eq!((first.displacement, first.work), (none, none));
+    let next = Vector2::new(0.11, 0.9);
+    assert_eq!(port.tell(next, input), whole.tell(next, input));
+}
+
 /// A mass of 1 kg in the well `(x² + v²) / 2` moves at −1 m/s; the efforts of the gap are told one by one.
 fn work_of_gap(told: &[(f64, f64)]) -> f64 {
     let (period, circle) = (0.01, QuadraticForm::sum_of_squares());

@@ -223,6 +223,42 @@ fn a_light_upper_link_keeps_its_inertia_in_single_precision() {
     }
 }
 
+/// Folded, its ends meet: what is left of the inertia about the shoulder is the light link's.
+#[test]
+fn a_folded_arm_of_a_light_upper_link_keeps_its_inverse_in_single_precision() {
+    let point = |mass| RigidLink::point(mass, 0.5);
+    for mass in [1e-3, 1e-6, 1e-9] {
+        let of =
+            |mass: f32| TwoLinkArm::new(RigidLink::rod(mass, 0.5), point(1.0)).expect("an arm");
+        for elbow in [std::f32::consts::PI, 3.1, -2.5] {
+            let found = of(mass).input_fields(Vector4::new(0.0, elbow, 0.0, 0.0));
+            let (light, turned) = (f64::from(mass) * 0.25 / 3.0, f64::from(elbow));
+            // M of a rod and of a point at the elbow's distance 2 l |cos(q₂ / 2)|, by Cramer's rule.
+            let reach = (2.0 * 0.5 * (turned / 2.0).cos()).powi(2);
+            let exact = (light + reach) / (light * 0.25 + (0.25 * turned.sin()).powi(2));
+            assert_abs_diff_eq!(f64::from(found[1][3]) / exact, 1.0, epsilon = 1e-4);
+        }
+    }
+}
+
+/// Each of a thousand short steps is far below what an angle of 1 rad can tell in `f32`.
+#[test]
+fn many_short_steps_of_an_arm_lose_no_motion() {
+    let rod = RigidLink::rod(1.0_f32, 0.5);
+    let arm = TwoLinkArm::new(rod, rod).expect("an arm").horizontal();
+    let energy = ArmEnergy::new(arm, [0.0; 2]).expect("an energy");
+    for steps in [1, 100, 1000] {
+        let plant = AffinePlant::new(arm, energy, RungeKutta4, 1e-3, steps).expect("a plant");
+        let mut plant = plant.starting(Vector4::new(1.0, 0.0, 5e-3, 0.0));
+        for _ in 0..1000 {
+            plant.advance(WithState::of_input(Vector2::zeros()));
+        }
+        // Stretched and turning as one, but for what the elbow opens.
+        let turned = f64::from(plant.state()[0]) - 1.0;
+        assert!((turned / 5e-3 - 1.0).abs() < 5e-3, "{steps} steps: {turned} rad");
+    }
+}
+
 /// A difference of two sines of gravity would have two digits left.
 #[test]
 fn the_legs_gradient_keeps_its_digits_near_the_posture() {

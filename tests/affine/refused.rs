@@ -26,7 +26,7 @@ fn parameters_are_refused_by_name() {
     assert_eq!(name(InvertedPendulum::new(0.0, 1.0, 0.0)), "mass");
     assert_eq!(name(InvertedPendulum::new(1.0, f64::NAN, 0.0)), "length");
     assert_eq!(name(InvertedPendulum::new(1.0, 1.0, -1.0)), "damping");
-    assert_eq!(name(InvertedPendulum::new(1e-30_f32, 1e-10, 0.0)), "inertia");
+    assert_eq!(name(InvertedPendulum::new(1e-30_f32, 1e-10, 0.0)), "mass");
     assert_eq!(name(UprightEnergy::new(pendulum::<f64>(), 1.9)), "stiffness");
     assert_eq!(name(UprightEnergy::new(pendulum::<f64>(), 2.0)), "nothing");
     let parts = motor::<f64>().parts();

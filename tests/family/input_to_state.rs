@@ -2,7 +2,7 @@
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    HeldTick, OnePort, PortSample, Scalar,
+    HeldTick, OnePort, PortSample, Scalar, Snapshot,
     bodies::Impedance,
     environments::{Spring, Wall},
     laws,
@@ -182,6 +182,25 @@ fn what_is_watched_is_the_slope() {
         );
     }
     assert!((port.slope() - 2.0 * STIFFNESS).abs() < 1e-6, "{}", port.slope());
+}
+
+/// The first position that is known is no motion from 0, whatever came before it.
+#[test]
+fn a_lost_first_position_is_no_motion() {
+    let spring = Spring::new(1000.0).expect("a spring").at(-5e-3);
+    let fresh = InputToState::adaptive(spring, 1.7, 0.0).expect("one");
+    let at = |position, displacement| {
+        let (velocity, applied) = (displacement / PERIOD, 0.0);
+        HeldTick { period: PERIOD, position, velocity, displacement, applied }.sample()
+    };
+    let mut port = fresh;
+    for sample in [at(f64::NAN, 0.0), at(1e-6, 0.0), at(2e-6, 1e-6)] {
+        port.respond(&sample);
+    }
+    assert!((port.slope() / 1700.0 - 1.0).abs() < 1e-6, "{}", port.slope());
+    assert!(fresh.restored(fresh.state()).is_ok());
+    let (inner, slope, answer, _, shift) = port.state();
+    assert!(fresh.restored((inner, slope, answer, f64::INFINITY, shift)).is_err());
 }
 
 #[test]

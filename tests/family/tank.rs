@@ -149,7 +149,7 @@ fn a_bounded_valve_is_never_overdrawn_or_overfilled() {
     }
 }
 
-/// A draw of all that is there, in `f32`, with any numbers.
+/// A draw of far more than is there, and of all that is there to the last digits, in `f32`, with any numbers.
 #[test]
 fn rounding_keeps_the_floor() {
     let mut dice = Dice::of(3);
@@ -158,10 +158,15 @@ fn rounding_keeps_the_floor() {
         let (floor, above) = (1e-2 * any(), any());
         let limits =
             TankLimits { start: floor + above, floor, ceiling: 10.0, power: f32::INFINITY };
-        let (period, wished, flow) = (1e-2 * any(), 1e6 * any(), any());
-        let mut tank = EnergyTank::new(limits).expect("a tank");
-        tank.pass(period, 0.0, wished, flow);
-        assert!(tank.energy() >= floor, "{:e} J of {limits:?}", tank.energy());
+        let (period, much, flow) = (1e-2 * any(), 1e6 * any(), any());
+        let all = (limits.start - floor) / period / flow;
+        for wished in [much, all, all * (1.0 - 2.0 * f32::EPSILON)] {
+            let mut tank = EnergyTank::new(limits).expect("a tank");
+            let given = tank.pass(period, 0.0, wished, flow);
+            assert!(tank.energy() >= floor, "{:e} J of {limits:?}", tank.energy());
+            assert!(given >= wished.min(all) * (1.0 - 8.0 * f32::EPSILON), "{given} of {wished}");
+            assert!(tank.set_limits(tank.limits()).is_ok());
+        }
     }
 }
 

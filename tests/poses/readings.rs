@@ -236,7 +236,7 @@ fn a_snapshot_goes_on() {
     }
 }
 
-/// Nothing could be counted from a quaternion of 0: each pose after it would be refused for good.
+/// Nothing could be counted from a quaternion of 0, or from one whose squares are: each pose after it would be refused for good.
 #[test]
 fn a_stored_pose_that_is_none_is_refused() {
     let readings = Readings::every(1e-3).expect("a period").of_poses();
@@ -244,8 +244,13 @@ fn a_stored_pose_that_is_none_is_refused() {
     begun.read(Reading { position: turned(0.1), applied: wrench(0.0, 0.0) });
     let ((known, mut place, gap, least, most), velocity, clock, track) = begun.state();
     assert!(readings.restored(begun.state()).is_ok());
-    place.pose = <Pose<f64> as Signal>::splat(0.0);
-    let state = |known| ((known, place, gap, least, most), velocity, clock, track);
-    assert_eq!(readings.restored(state(known)).expect_err("no pose").parameter, "stored pose");
-    assert!(readings.restored(state(0.0)).is_ok()); // the pose is not looked at
+    let sound = place.pose;
+    for size in [0.0, 1e-200] {
+        place.pose = sound.scale(size);
+        let state = |known| ((known, place, gap, least, most), velocity, clock, track);
+        let error = readings.restored(state(known)).expect_err("no pose");
+        assert_eq!(error.parameter, "size of a stored quaternion");
+        assert!(error.value <= 2.0 * size, "{error}");
+        assert!(readings.restored(state(0.0)).is_ok()); // the pose is not looked at
+    }
 }

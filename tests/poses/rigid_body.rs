@@ -6,7 +6,7 @@ use lyapunov::{
     laws,
     poses::{Axes, BodyAxes, Pose, Screw, WithPose, WorldAxes},
 };
-use nalgebra::Vector3;
+use nalgebra::{Isometry3, Vector3};
 
 use crate::support::{Dice, Real};
 
@@ -173,6 +173,24 @@ fn it_keeps_the_laws_of_a_plant() {
     laws::plant(&body, samples.map(|(sample, effort)| (sample, effort.scale(1e-3)))).expect("laws");
 }
 
+/// A free body in `f32`, a decimetre from the origin and turned: each of a thousand short steps is far below what its pose can
+/// tell.
+#[test]
+fn many_short_steps_lose_no_motion() {
+    let start = Pose::from(Isometry3::new(Vector3::new(-0.1, 0.0, 0.0), Vector3::y()));
+    let twist = Screw::new(Vector3::new(5e-3, 0.0, 0.0), Vector3::new(0.0, 0.05, 0.0));
+    for steps in [1, 100, 1000] {
+        let body = RigidBody::<f32>::new(parts(0.0), 1e-3, steps).expect("a body");
+        let mut body = body.starting(start, twist);
+        for _ in 0..1000 {
+            body.advance(WithPose::default());
+        }
+        let moved = Screw::<f32, WorldAxes>::between(&start, body.pose());
+        let [way, turn] = [moved.translation.x / 5e-3, moved.rotation.y / 0.05];
+        assert!((way - 1.0).abs() < 1e-3 && (turn - 1.0).abs() < 1e-3, "{steps}: {way}, {turn}");
+    }
+}
+
 #[test]
 fn what_is_no_body_is_refused() {
     let sound = parts::<f64>(0.0);
@@ -184,6 +202,8 @@ fn what_is_no_body_is_refused() {
     assert!(
         refused(RigidParts { moments: flat, ..sound }, 1e-3, 1).starts_with("moment of inertia")
     );
+    let needle = RigidParts { moments: Vector3::new(1.0, 1e-160, 1e-160), ..sound };
+    assert!(refused(needle, 1e-3, 1).starts_with("moment of inertia is 1e-160"));
     assert!(refused(RigidParts { damping: -1.0, ..sound }, 1e-3, 1).starts_with("damping is -1"));
     let turning = RigidParts { rotational_damping: f64::NAN, ..sound };
     assert!(refused(turning, 1e-3, 1).starts_with("rotational damping"));

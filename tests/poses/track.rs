@@ -1,7 +1,7 @@
 //! Track of poses: positions whose differences are displacements.
 
 use lyapunov::{
-    HeldTick, OnePort, PortSample, Signal,
+    HeldTick, OnePort, PortSample, Signal, Snapshot,
     effects::{Fallback, OnePortExt},
     poses::{BodyAxes, Pose, PoseTrack, Screw, WithPose, WorldAxes},
 };
@@ -144,4 +144,18 @@ fn power_is_the_same_along_all_axes() {
         let here = Screw::<f64, WorldAxes>::of_force(force, arm).inner(twist);
         assert!((here - force.dot(&twist.velocity_at(arm))).abs() < 1e-13);
     }
+}
+
+#[test]
+fn a_stored_track_that_nothing_can_be_counted_from_is_refused() {
+    let start = pose::<f64>(Vector3::zeros(), [0.1, 0.2, 0.3, 0.9]);
+    let mut track = PoseTrack::<f64, WorldAxes>::from(start);
+    track.tell(&start);
+    let (mut at, known, left) = track.state();
+    assert!(track.restored((at, known, left)).is_ok());
+    at.pose.position.x = f64::NAN;
+    assert_eq!(track.restored((at, known, left)).expect_err("").parameter, "stored position");
+    at.pose = start.scale(1e-165);
+    let error = track.restored((at, known, left)).expect_err("no pose");
+    assert_eq!(error.parameter, "size of a stored quaternion");
 }

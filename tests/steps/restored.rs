@@ -125,11 +125,11 @@ fn refused<T>(made: Result<T, ParameterError>, parameter: &str) {
 fn a_memory_that_cannot_be_right_is_refused() {
     let bad = f64::NAN;
     let port = || InputToState::<_, f64>::new(spring(), 1e3, 0.0).expect("a port");
-    assert!(port().restored(((), f64::INFINITY, 1.0, None, 0.0)).is_ok());
-    refused(port().restored(((), -1.0, 1.0, None, 0.0)), "stored slope");
-    refused(port().restored(((), 1.0, bad, None, 0.0)), "stored answer");
-    refused(port().restored(((), 1.0, 1.0, Some(bad), 0.0)), "stored position");
-    refused(port().restored(((), 1.0, 1.0, None, bad)), "stored shift");
+    assert!(port().restored(((), f64::INFINITY, 1.0, bad, 0.0)).is_ok());
+    refused(port().restored(((), -1.0, 1.0, bad, 0.0)), "stored slope");
+    refused(port().restored(((), 1.0, bad, bad, 0.0)), "stored answer");
+    refused(port().restored(((), 1.0, 1.0, f64::INFINITY, 0.0)), "stored position");
+    refused(port().restored(((), 1.0, 1.0, bad, bad)), "stored shift");
 
     refused(EnergyTank::new(STORE).expect("a tank").restored(bad), "stored energy");
     refused(WaveFilter::new(0.5).expect("a filter").restored(bad), "stored wave");

@@ -3,14 +3,15 @@
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3, Vector4};
 
 use super::logarithm::product;
-use crate::{Scalar, Signal};
+use crate::{ParameterError, Requirement, Scalar, Signal};
 
 /// A pose: the position of the body's reference point, m, and the orientation of the body.
 ///
 /// It is made from nalgebra's `Isometry3`, or from a position and a `UnitQuaternion`. The quaternion need not have
 /// length 1: from 2⁻³⁰ to 2³⁰ only its direction counts (beyond, the squares of `f32` leave its range), and `q` and `−q` are
-/// the same orientation. A pose that holds a NaN, an infinity
-/// or a quaternion of 0 leads to displacements that are not finite, which a stabilizer rejects.
+/// the same orientation. A pose that holds a NaN, an infinity or a quaternion of 0 leads to displacements that are not
+/// finite, which a stabilizer rejects. A track counts none to a quaternion whose fourth power leaves the range: it could
+/// count none from there.
 ///
 /// As a [`Signal`] it is seven numbers, those of the position and those of the quaternion `(i, j, k, w)`; sums and
 /// differences of poses are numbers too and no poses. That is how a pose travels in a sample ([`WithPose`](crate::WithPose)).
@@ -53,10 +54,19 @@ impl<T: Scalar> Pose<T> {
         Self { position, quaternion: Vector4::new(zero, zero, zero, one) }
     }
 
-    /// Lanes in which a displacement may be counted from the quaternion: it is finite and not 0.
+    /// Lanes in which displacements can be counted from and to the quaternion: the squares of a product of two such are
+    /// numbers.
+    #[inline]
     pub(crate) fn is_turned(&self) -> T::Mask {
+        let square = self.quaternion.dot(&self.quaternion);
+        (square * square).finite() & !(square * square).below(T::smallest_normal())
+    }
+
+    /// Nothing if displacements can be counted from this stored pose.
+    pub(crate) fn counted_from(&self) -> Result<(), ParameterError> {
+        Requirement::Finite.check_axes("stored position", self.position)?;
         let size = self.quaternion.map(Scalar::magnitude).sum();
-        size.above(T::of(0.0)) & self.quaternion.finite()
+        Requirement::InRange.require("size of a stored quaternion", size, self.is_turned())
     }
 
     /// The orientation, of length 1.

@@ -1,7 +1,7 @@
 //! What is remembered from reading to reading.
 
 use super::{CheckedSample, Reading, Track, one_and_a_half};
-use crate::{ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
+use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// The last accepted position, and the time and the efforts since then.
 #[derive(Clone, Copy, Debug)]
@@ -89,8 +89,7 @@ impl<V: Signal> Memory<V> {
 
     /// Nothing if a track of this kind can go on from where it is.
     pub(super) fn goes_on<P: Track<V>>(&self) -> Result<(), ParameterError> {
-        let sound = P::sound(self.position) | !self.known();
-        Requirement::Finite.require("stored pose", V::Scalar::of(f64::NAN), sound)
+        if self.known().all() { P::counted_from(self.position) } else { Ok(()) }
     }
 
     /// The position of `place` on a `track`, and the track with it.

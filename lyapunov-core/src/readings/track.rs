@@ -38,8 +38,11 @@ pub trait Track<V: Signal>: Copy {
     /// `known`; and the track with this position.
     fn lead(self, place: Self::Place, last: V, known: <V::Scalar as Scalar>::Mask) -> (V, Self);
 
-    /// Mask of the lanes in which a stored position `last` is one to count from.
-    fn sound(last: V) -> <V::Scalar as Scalar>::Mask;
+    /// Nothing if a stored position `last`, all of whose axes are finite, is one to count from.
+    ///
+    /// # Errors
+    /// A [`ParameterError`] that says why it is not.
+    fn counted_from(last: V) -> Result<(), ParameterError>;
 
     /// `yes` where `mask` is true, else `no`.
     fn choose(mask: <V::Scalar as Scalar>::Mask, yes: Self, no: Self) -> Self;
@@ -77,8 +80,8 @@ impl<V: Signal> Track<V> for Positions {
         (place, self)
     }
 
-    fn sound(last: V) -> <V::Scalar as Scalar>::Mask {
-        last.finite()
+    fn counted_from(_last: V) -> Result<(), ParameterError> {
+        Ok(())
     }
 
     #[inline(always)]
@@ -132,7 +135,8 @@ impl<T: Angle, F: Axes> Poses<T, F> {
     ) -> (WithPose<T, F>, Self) {
         // From a pose to itself leads nothing, or, if it is not sound, a NaN.
         let from = if known { &last.pose } else { pose };
-        let step = Screw::between(from, pose) + self.left;
+        let way = Screw::between(from, pose) + self.left;
+        let step = Screw::choose(pose.is_turned(), way, Screw::splat(T::of(f64::NAN)));
         let screw = last.screw + step;
         (WithPose { screw, pose: *pose }, Self { left: step - (screw - last.screw) })
     }
@@ -171,8 +175,8 @@ impl<T: Angle, F: Axes> Track<WithPose<T, F>> for Poses<T, F> {
         self.step(&last, &pose, known)
     }
 
-    fn sound(last: WithPose<T, F>) -> bool {
-        last.screw.finite() & last.pose.is_turned()
+    fn counted_from(last: WithPose<T, F>) -> Result<(), ParameterError> {
+        last.pose.counted_from()
     }
 
     #[inline]

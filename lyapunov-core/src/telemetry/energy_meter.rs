@@ -56,7 +56,8 @@ impl<T> EnergySummary<T> {
 
 /// Running sums behind an [`EnergySummary`], with compensation of rounding errors: in `f32` too they hold for a year.
 ///
-/// Work or a dissipated energy that is not finite is left out, as a ledger leaves it out. Lanes are counted one by one.
+/// Work or a dissipated energy that is not finite is left out, as a ledger leaves it out, and so is an observed energy of
+/// NaN from the least and the most. Lanes are counted one by one.
 ///
 /// ```
 /// use lyapunov_core::telemetry::EnergyMeter;
@@ -109,7 +110,9 @@ impl<T: Scalar> EnergyMeter<T> {
         correction: &Correction<V>,
     ) {
         let (zero, one) = (T::of(0.0), T::of(1.0));
-        let first = T::Mask::of(self.ticks == 0) | !self.least.finite();
+        // Least and most are NaN together, as long as each energy is; every number has a magnitude above −1.
+        let number = self.least.magnitude().above(-one);
+        let first = T::Mask::of(self.ticks == 0) | !number;
         self.ticks = self.ticks.wrapping_add(1);
         self.now = correction.observed_energy;
         self.least = T::choose(first, self.now, self.now.smaller(self.least));

@@ -112,8 +112,11 @@ fn decreases_are_differences() {
     assert_eq!(two.1.decrease(&at(1.0, 2.0)), 0.0);
     assert_eq!(stored.restored(8.0).map(|mut it| it.decrease(&at(1.0, 2.0))), Ok(5.0));
     assert!(stored.restored(f64::INFINITY).is_err());
-    // Before the first energy that is known nothing is booked.
-    let mut unknown = StorageFunction::starting(function, f64::NAN, 0.0);
-    assert!(unknown.decrease(&at(3.0, 1.0)).is_nan());
+    // The first energy that is known is no decrease, and takes nothing from the terms beside it.
+    let unknown = StorageFunction::starting(function, f64::NAN, 0.0);
+    assert_eq!((PortEnergy, unknown).decrease(&at(3.0, 1.0)), 13.0);
+    let mut unknown = unknown;
+    assert!(unknown.decrease(&at(f64::NAN, 1.0)).is_nan());
+    assert_eq!(unknown.decrease(&at(3.0, 1.0)), 0.0);
     assert_eq!(unknown.decrease(&at(1.0, 1.0)), 8.0);
 }

@@ -112,10 +112,14 @@ where
     #[inline]
     fn advance(&mut self, effort: WithState<T, N, M>) -> PortSample<WithState<T, N, M>> {
         let before = self.at;
+        // Apart: each gain of many short steps would be rounded to the size of the state.
+        let mut gained = WithState::zero();
         for _ in 0..self.steps {
-            let (at, input) = (self.at, effort.input);
-            self.at = at + self.integrator.step(&self.dynamics, at, input, self.interval);
+            let at = before + gained;
+            let gain = self.integrator.step(&self.dynamics, at, effort.input, self.interval);
+            gained = gained + gain;
         }
+        self.at = before + gained;
         HeldTick {
             period: self.period,
             position: self.at,

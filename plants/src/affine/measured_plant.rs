@@ -14,7 +14,8 @@ use crate::{ControlAffine, WithState};
 /// A state or an input that is not finite goes into its sample as it is, with a work of NaN, for the stabilizer to reject
 /// and to book nothing. The next sound one spans the gap: its work is `−u ∫ y dt` if one input was held, and with several
 /// the least of that over all of them, input by input. That is a lower bound where the flow did not turn round within the
-/// gap, up to the error of the rule over the whole of it. An input that is not finite counts as one of those before it.
+/// gap, up to the error of the rule over the whole of it. An input that is not finite counts as one of those before it. Where
+/// the state at the start is not finite, the first sound sample starts anew, without displacement and work.
 ///
 /// ```
 /// use lyapunov_core::ParameterError;
@@ -78,15 +79,17 @@ where
         state: SVector<T, N>,
         input: SVector<T, M>,
     ) -> PortSample<WithState<T, N, M>> {
-        let before = self.at;
+        let known = self.at.finite() & self.flow.finite();
+        let before = WithState { state: Signal::choose(known, self.at.state, state), ..self.at };
         let flow = self.plant.flow(&self.function, state);
         let gap = self.gap + self.period;
         let integral = (self.flow + flow).scale(T::of(0.5) * gap);
+        let integral = Signal::choose(known, integral, SVector::zeros());
         let at = WithState { input: before.input + integral, state };
         let sound = at.finite() & flow.finite() & input.finite();
         let (least, most) = self.efforts(-input);
         let work = least.times(integral).zip(most.times(integral), Scalar::smaller);
-        self.at = WithState::choose(sound, at, before);
+        self.at = WithState::choose(sound, at, self.at);
         self.flow = Signal::choose(sound, flow, self.flow);
         self.gap = T::choose(sound, T::of(0.0), gap);
         (self.least, self.most) = (least, most);

@@ -90,7 +90,10 @@ impl<T: Angle, F: Axes> RigidBody<T, F> {
         let twice = parts.moments * (T::of(2.0) / interval);
         let volume = twice.x * twice.y * twice.z;
         let kept = volume.finite() & !volume.below(T::smallest_normal());
-        Requirement::InRange.require("moment of inertia", parts.moments.x, kept)?;
+        let [x, y, z] = parts.moments.data.0[0];
+        let (least, largest) = (x.smaller(y).smaller(z), x.larger(y).larger(z));
+        let worst = T::choose(volume.finite(), least, largest);
+        Requirement::InRange.require("moment of inertia", worst, kept)?;
         let (pose, still) = (Pose::at(Vector3::zeros()), Vector3::zeros());
         let track = PoseTrack::from(pose);
         Ok(Self { parts, period, interval, steps, pose, velocity: still, rate: still, track })
@@ -129,7 +132,8 @@ impl<T: Angle, F: Axes> RigidBody<T, F> {
         self.parts.moments.times(rate)
     }
 
-    fn step(&mut self, wrench: Screw<T, F>) {
+    /// Moves the body a step on; its way, m, and its turn along its own axes, rad.
+    fn step(&mut self, wrench: Screw<T, F>) -> (Vector3<T>, Vector3<T>) {
         let (one, two) = (T::of(1.0), T::of(2.0));
         let half = self.interval / two;
         let RigidParts { mass, damping, .. } = self.parts;
@@ -142,10 +146,12 @@ impl<T: Angle, F: Axes> RigidBody<T, F> {
         let force = F::to_world(&middle, wrench.translation);
         let slowing = one / (one + half * damping / mass);
         let slowed = (self.velocity - force * (half / mass)) * slowing;
-        self.pose = self.turned(mean * self.interval);
-        self.pose.position += slowed * self.interval;
+        let (way, turn) = (slowed * self.interval, mean * self.interval);
+        self.pose = self.turned(turn);
+        self.pose.position += way;
         self.velocity = slowed * two - self.velocity;
         self.rate = mean * two - self.rate;
+        (way, turn)
     }
 
     /// The present pose, turned by `rotation` along the body's axes.
@@ -183,9 +189,15 @@ impl<T: Angle, F: Axes> Plant<WithPose<T, F>> for RigidBody<T, F> {
 
     fn advance(&mut self, effort: WithPose<T, F>) -> PortSample<WithPose<T, F>> {
         let (before, from) = (self.track.tell(&self.pose), self.pose);
+        // Apart: each of many short steps would be rounded to the size of the pose.
+        let (mut way, mut turn) = (Vector3::zeros(), Pose::at(Vector3::zeros()));
         for _ in 0..self.steps {
-            self.step(effort.screw);
+            let (moved, turned) = self.step(effort.screw);
+            way += moved;
+            turn = Screw::<T, BodyAxes>::new(Vector3::zeros(), turned).moving(&turn);
         }
+        self.pose = from.then(&turn);
+        self.pose.position += way;
         let position = self.track.tell(&self.pose);
         let screw = Screw::between(&from, &self.pose);
         let displacement = WithPose { screw, pose: position.pose - before.pose };

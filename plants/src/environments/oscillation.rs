@@ -36,8 +36,9 @@ impl<T: Scalar> Oscillation<T> {
         let oscillation = Self { amplitude, frequency, rate, calls: 0 };
         let last = Time::Calls { number: u64::MAX, rate };
         let peak = T::from_lanes(|lane| oscillation.peak_slope(lane));
-        let phase = T::from_lanes(|lane| oscillation.phase(last, lane));
-        let kept = peak.finite() & phase.finite();
+        // Of `f64`: the phase is never rounded to the scalar.
+        let counts = |lane| f64::from(u8::from(oscillation.phase(last, lane).is_finite()));
+        let kept = peak.finite() & T::from_lanes(counts).above(T::of(0.0));
         Requirement::InRange.require("frequency", frequency, kept).map(|()| oscillation)
     }
 

@@ -38,8 +38,9 @@ impl<T: Scalar> InvertedPendulum<T> {
         let mass = Requirement::Positive.check("mass", mass)?;
         let length = Requirement::Positive.check("length", length)?;
         let damping = Requirement::NonNegative.check("damping", damping)?;
-        let inertia = Requirement::Positive.check("inertia", mass * length * length)?;
-        let weight = Requirement::InRange.check("weight", mass * T::of(GRAVITY) * length)?;
+        let (inertia, weight) = (mass * length * length, mass * T::of(GRAVITY) * length);
+        let kept = inertia.finite() & inertia.above(T::of(0.0)) & weight.finite();
+        Requirement::InRange.require("mass", mass, kept)?;
         Ok(Self { inertia, weight, damping })
     }
 

@@ -57,8 +57,10 @@ impl<T: Scalar> RigidLink<T> {
 /// Manipulation, 1994, section 4.2.3). [`horizontal`](Self::horizontal) leaves gravity out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoLinkArm<T> {
-    /// `a`, `b`, `d`, kg·m².
-    pub(super) inertias: [T; 3],
+    /// `M₁₁`, `M₁₂` and `M₂₂` of the folded arm, `q₂ = π`, kg·m².
+    folded: [T; 3],
+    /// `b`, kg·m².
+    coupling: T,
     /// The determinant of the stretched arm's inertia, kg²·m⁴.
     stretched: T,
     /// `w₁`, `w₂`, N·m.
@@ -76,7 +78,13 @@ impl<T: Scalar> TwoLinkArm<T> {
         let coupling = two.mass * one.length * two.centre;
         let second = two.inertia + two.mass * two.centre * two.centre;
         let first = one.inertia + one.mass * one.centre * one.centre;
-        let both = first + two.mass * one.length * one.length + second;
+        let apart = one.length - two.centre;
+        // Folded, where the terms with the elbow's angle are 0: a light upper link loses no digits in their difference.
+        let folded = [
+            first + two.inertia + two.mass * apart * apart,
+            two.inertia - two.mass * two.centre * apart,
+            second,
+        ];
         let gravity = T::of(GRAVITY);
         let weights = [
             (one.mass * one.centre + two.mass * one.length) * gravity,
@@ -84,9 +92,10 @@ impl<T: Scalar> TwoLinkArm<T> {
         ];
         // Of terms above 0, where M₁₁ M₂₂ − M₁₂² would cancel for a light link.
         let stretched = first * second + two.mass * one.length * one.length * two.inertia;
-        let arm = Self { inertias: [both, coupling, second], stretched, weights };
-        Requirement::Positive.check("least inertia", arm.least_inertia())?;
-        Requirement::InRange.check("weight", weights[0] + weights[1])?;
+        let arm = Self { folded, coupling, stretched, weights };
+        let least = arm.least_inertia();
+        let kept = least.finite() & least.above(T::of(0.0)) & (weights[0] + weights[1]).finite();
+        Requirement::InRange.require("mass", one.mass, kept)?;
         Ok(arm)
     }
 
@@ -99,19 +108,20 @@ impl<T: Scalar> TwoLinkArm<T> {
     /// The least eigenvalue of `M(q)` over all postures, kg·m²: that of the stretched arm, where the trace is largest
     /// and the determinant smallest. Use it as the mass of a damping limit for both joints.
     pub fn least_inertia(&self) -> T {
-        let [m11, m12, m22] = self.inertia(T::of(1.0));
+        let [m11, m12, m22] = self.inertia(T::of(0.0));
         let trace = m11 + m22;
         let difference = m11 - m22;
         let apart = (difference * difference + T::of(4.0) * m12 * m12).sqrt();
         T::of(2.0) * self.stretched / (trace + apart)
     }
 
-    /// `M₁₁`, `M₁₂` and `M₂₂` at the cosine of the elbow's angle.
+    /// `M₁₁`, `M₁₂` and `M₂₂` at the elbow's angle, by `1 + cos q₂ = 2 cos²(q₂ / 2)`.
     #[inline]
-    pub(super) fn inertia(&self, cosine: T) -> [T; 3] {
-        let [both, coupling, second] = self.inertias;
-        let turned = coupling * cosine;
-        [both + turned + turned, second + turned, second]
+    fn inertia(&self, elbow: T) -> [T; 3] {
+        let half = cos(elbow * T::of(0.5));
+        let [m11, m12, m22] = self.folded;
+        let opened = T::of(2.0) * self.coupling * half * half;
+        [m11 + opened + opened, m12 + opened, m22]
     }
 
     /// The kinetic energy `½ q̇ᵀ M q̇`, J.
@@ -124,14 +134,14 @@ impl<T: Scalar> TwoLinkArm<T> {
     /// The momenta `M q̇`, N·m·s.
     #[inline]
     pub(super) fn momenta(&self, elbow: T, rates: [T; 2]) -> [T; 2] {
-        let [m11, m12, m22] = self.inertia(cos(elbow));
+        let [m11, m12, m22] = self.inertia(elbow);
         [m11 * rates[0] + m12 * rates[1], m12 * rates[0] + m22 * rates[1]]
     }
 
     /// The derivative of the kinetic energy with respect to the elbow's angle, N·m.
     #[inline]
     pub(super) fn kinetic_by_elbow(&self, elbow: T, rates: [T; 2]) -> T {
-        -(self.inertias[1] * sin(elbow)) * (rates[0] * (rates[0] + rates[1]))
+        -(self.coupling * sin(elbow)) * (rates[0] * (rates[0] + rates[1]))
     }
 
     /// The torques of gravity `G(q)`, N·m.
@@ -144,7 +154,7 @@ impl<T: Scalar> TwoLinkArm<T> {
     /// The accelerations `q̈` under `torques` in the joints, N·m.
     #[inline]
     pub(super) fn acceleration(&self, angles: [T; 2], rates: [T; 2], torques: [T; 2]) -> [T; 2] {
-        let swing = self.inertias[1] * sin(angles[1]);
+        let swing = self.coupling * sin(angles[1]);
         let [first, second] = rates;
         let gravity = self.gravity(angles);
         let driven = [
@@ -158,8 +168,8 @@ impl<T: Scalar> TwoLinkArm<T> {
     /// The inverse of the inertia matrix, `M⁻¹`, of determinant `det M(0) + (b sin q₂)²`.
     #[inline]
     pub(super) fn inverse(&self, elbow: T) -> [[T; 2]; 2] {
-        let [m11, m12, m22] = self.inertia(cos(elbow));
-        let bent = self.inertias[1] * sin(elbow);
+        let [m11, m12, m22] = self.inertia(elbow);
+        let bent = self.coupling * sin(elbow);
         let determinant = self.stretched + bent * bent;
         let across = -m12 / determinant;
         [[m22 / determinant, across], [across, m11 / determinant]]

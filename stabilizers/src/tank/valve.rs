@@ -41,10 +41,11 @@ pub struct BoundedValve;
 impl<T: Scalar> Valve<T> for BoundedValve {
     #[inline]
     fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T {
-        let most = ((energy - store.floor).larger(T::of(0.0)) / period).smaller(store.power);
-        // Rounded down by more than the quotient, the product and two differences round: the floor holds.
-        let share = most / asked * (T::of(1.0) - T::of(4.0) * T::epsilon());
-        T::choose(asked.above(most), share, T::of(1.0))
+        // Less by more than two quotients, two products and the difference round: the floor holds.
+        let kept = T::of(1.0) - T::of(4.0) * T::epsilon();
+        let room = (energy - store.floor).larger(T::of(0.0)) / period * kept;
+        let most = room.smaller(store.power);
+        T::choose(asked.above(most), most / asked, T::of(1.0))
     }
 
     #[inline]
