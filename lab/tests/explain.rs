@@ -202,7 +202,52 @@ fn a_run_that_only_a_force_limit_holds_gets_remedies_with_which_it_settles() {
     let sound = Explanation::of::<f64>(&late(0)).unwrap();
     assert!(sound.remedies.is_empty(), "{sound}");
     let page = sound.to_html("test", "");
-    assert!(page.contains("The run does not grow; nothing was tried."), "{page}");
+    assert!(page.contains("The run does not grow, so no change of the loop was tried."), "{page}");
+}
+
+/// One step of a Runge-Kutta method is unstable on a link as stiff as this: the loop is stable, and its run is not.
+#[test]
+fn a_run_that_its_integrator_blows_up_is_no_transient() {
+    let scene = scene(
+        "duration = 0.5\nservo_rate = 1000\nintegrator = \"rk4\"\nsteps_per_tick = 1\n\
+         device = { mass = 0.1, damping = 0.1 }\noperator = { mass = 0.1, damping = 0.5, stiffness = 50, rest = 0.004 }\n\
+         link = { stiffness = 5e5, damping = 1 }\ninitial.position = -0.004\nenvironment.spring.stiffness = 200\n",
+    );
+    let explained = Explanation::of::<f64>(&scene).unwrap();
+    assert_eq!(explained.verdict, Verdict::Grows);
+    assert!(explained.limits.spectral_radius.unwrap() < 1.0);
+    assert!(!explained.remedies.is_empty() && !explained.to_string().contains("transient"));
+}
+
+/// A mass near the end of the range is explained too, and soon.
+#[test]
+fn a_mass_near_the_end_of_the_range_is_explained() {
+    for mass in ["1e-160", "1e-300", "1e160"] {
+        let scene = scene(&format!(
+            "duration = 0.1\nservo_rate = 1000\ndevice.mass = {mass}\ninitial.position = -0.004\n\
+             environment.wall.stiffness = 1000\n"
+        ));
+        let explained = Explanation::of::<f64>(&scene).unwrap();
+        assert_eq!(explained.left_range, explained.verdict == Verdict::Grows, "{mass}");
+    }
+}
+
+/// What a run in balance does it would do in any loop: nothing is tried, and the page says why.
+#[test]
+fn a_run_in_balance_tries_nothing_and_says_so() {
+    let scene = scene(
+        "duration = 2\nservo_rate = 1000\ndevice = { mass = 0.2, damping = 3 }\n\
+         operator = { mass = 0.1, stiffness = 50, rest = 0.004 }\ninitial.position = 3.2e-5\n\
+         environment.wall.stiffness = 6200\n",
+    );
+    let explained = Explanation::of::<f64>(&scene).unwrap();
+    assert!(explained.is_undisturbed && explained.remedies.is_empty(), "{explained}");
+    let page = explained.to_html("test", "");
+    let json: serde_json::Value =
+        serde_json::from_str(&explained.to_json("test").unwrap()).unwrap();
+    for told in [explained.to_string(), page, json["no_remedies"].to_string()] {
+        assert!(told.contains("starts in balance"), "{told}");
+    }
 }
 
 #[test]

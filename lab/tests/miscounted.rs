@@ -25,6 +25,10 @@ fn a_debt_that_the_encoder_made_is_told() {
     shows(&coarse.look_at(), Sign::Miscounted, &["22.78 mJ", "0.1888 mJ went into the port"]);
     assert!(coarse.absorbed > 0.0 && coarse.observed_energy_least < -0.02);
     assert_eq!(run(wall, 5e-6, 1).look_at(), []);
+    // Half of this debt is the true port's.
+    let both = run(wall, 5e-4, 5);
+    assert!(both.shortfall > 0.01 && both.absorbed < -0.01, "{both}");
+    assert_eq!(both.look_at(), []);
     // Ten ticks late the debt is the true port's: the damper itself drives the loop.
     let late = run(wall, 5e-6, 10);
     assert!(late.shortfall > 1.0 && late.absorbed < -1.0);

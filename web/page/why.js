@@ -23,9 +23,11 @@ export const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 
 /** The keys of a remedy with their values. */
 export const written = (set) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
 
+const said = (text) => `${text.replace(/^./, (first) => first.toUpperCase())}.`;
+
 /** The sentence on a run, where the hint of the command has none. */
 function sentence(hint, told, name) {
-  if (hint) return hint.replace(/^./, (first) => first.toUpperCase()) + ".";
+  if (hint) return said(hint);
   const radius = told.spectral_radius;
   const held = name !== "none" && told.whole_run.controller !== 0;
   const but = held ? "the stabilizer holds it." : "this run is not in contact long enough to grow.";
@@ -52,15 +54,16 @@ export function tell(parts, { name, sentence: hint, told }, take) {
   } else {
     cell(table.createTBody().insertRow(), "The wall is never touched.");
   }
-  remedies(parts.remedies, told, take);
+  remedies(parts.remedies, told, take, hint);
 }
 
-function remedies(place, told, take) {
+function remedies(place, told, take, hint) {
   place.replaceChildren();
   const note = made("p");
   place.append(note);
-  if (!told.remedies.length) {
-    note.textContent = { grows: "Nothing that was tried helps.", "too short": "" }[told.verdict] ?? "The run does not grow.";
+  const lack = told.no_remedies;
+  if (lack) {
+    note.textContent = lack === hint ? "No change of the loop was tried." : said(lack);
     return;
   }
   const settle = told.verdict === "swinging" && told.remedies.every((it) => it.verdict === "settles");

@@ -6,7 +6,6 @@ use lyapunov::{
     ParameterError,
     trajectories::{Constant, Pulse, Ramp, RampParts, Samples, Sine, Step, Trajectory},
 };
-use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{DMatrix, DVector};
 
 use crate::files::scene::{Motion, Scene};
@@ -14,6 +13,9 @@ use crate::simulate::{Space, Tick};
 
 /// Terms of a series in a matrix whose rows sum to at most a half.
 const TERMS: u32 = 24;
+
+/// Sweeps of the balancing.
+const SWEEPS: u32 = 32;
 
 type Value = Box<dyn Fn(u64) -> f64>;
 
@@ -236,7 +238,7 @@ fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<
     // In units in which rows and columns are alike a stiff link takes as many doublings as its frequency asks for, and not
     // as many as its stiffness over a small mass; each doubles the rounding. They are powers of two, so they round nothing.
     let mut rates = rates.clone();
-    let units = balance_parlett_reinsch(&mut rates);
+    let units = balanced(&mut rates);
     let output = output.component_mul(&units);
     let size = rates.row_iter().map(|row| row.iter().map(|it| it.abs()).sum::<f64>());
     let size = period * size.fold(0.0, f64::max);
@@ -257,6 +259,34 @@ fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<
         moved = &moved * &moved;
     }
     DMatrix::from_fn(n, n, |row, column| sum[(row, column)] / units[row] / units[column])
+}
+
+/// Units, powers of two, in which rows and columns of `rates` are alike: `D⁻¹ A D` (Parlett and Reinsch 1969). The sweeps
+/// are counted, since numbers near the ends of the range may never agree.
+fn balanced(rates: &mut DMatrix<f64>) -> DVector<f64> {
+    let n = rates.nrows();
+    let mut units = DVector::from_element(n, 1.0);
+    for _ in 0..SWEEPS {
+        let mut is_balanced = true;
+        for own in 0..n {
+            let others = (0..n).filter(|other| *other != own);
+            let column: f64 = others.clone().map(|row| rates[(row, own)].abs()).sum();
+            let row: f64 = others.map(|column| rates[(own, column)].abs()).sum();
+            let octaves = (0.5 * (row.log2() - column.log2())).round();
+            if !octaves.is_finite() || octaves.abs() < 1.0 {
+                continue;
+            }
+            let unit = 2f64.powi(octaves as i32);
+            rates.column_mut(own).scale_mut(unit);
+            rates.row_mut(own).scale_mut(1.0 / unit);
+            units[own] *= unit;
+            is_balanced = false;
+        }
+        if is_balanced {
+            break;
+        }
+    }
+    units
 }
 
 /// The rest position of the operator's spring along the first axis, tick by tick.

@@ -29,6 +29,8 @@ pub(crate) struct Trial {
     pub(crate) verdict_by: Yardstick,
     /// Whether it left the range of the numbers.
     pub(crate) left_range: bool,
+    /// Whether it starts in balance and never leaves its band.
+    pub(crate) is_undisturbed: bool,
     pub(crate) whole: Balance,
     pub(crate) first: Option<Balance>,
     /// The magnitudes of all energies moved and, tick by tick, stored, J: what rounding is to be measured by.
@@ -64,10 +66,13 @@ impl Trial {
         let mut account = Account::<V::Double>::new::<V>(scene, Body::of(scene)?);
         let (mut peak, mut error) = (0.0_f64, SolidError::<V::Double>::of(scene));
         let mut share = Share::<V::Double>::new::<V>(scene);
+        let criterion = fate.criterion(0).clone();
+        let ((rest, band), mut calm) = (criterion.rest(), criterion.starts_in_balance);
         let mut open = true;
         for (tick, number) in rollout.zip(1..) {
             fate.add_tick(&tick);
             signs.add(&tick);
+            calm = calm && (criterion.coordinate(tick.truth.position) - rest).abs() <= band;
             let [position, velocity] = Masses::at(&tick).device;
             let applied = tick.applied.double();
             peak = peak.max(applied.length());
@@ -86,8 +91,19 @@ impl Trial {
         let error = error.and_then(|error| error.root_mean_square());
         let (verdict, verdict_by) = (fate.verdict(0), fate.verdict_by(0));
         let (left_range, look_at) = (!fate.is_complete(), signs.finish(scene));
+        let is_undisturbed = calm && verdict == Verdict::Settles;
         let feel = Feel { peak, error };
-        Ok(Self { verdict, verdict_by, left_range, whole, first, moved, feel, look_at })
+        Ok(Self {
+            verdict,
+            verdict_by,
+            left_range,
+            is_undisturbed,
+            whole,
+            first,
+            moved,
+            feel,
+            look_at,
+        })
     }
 
     /// Runs `scene`, reporting to `watch`; none if the run grows, or if the loop is linear, has no stabilizer and does not

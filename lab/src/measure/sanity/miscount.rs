@@ -15,6 +15,9 @@ const LAST: f64 = 0.1;
 /// Share of the debt that errors of the position have to make up.
 const MADE: f64 = 0.5;
 
+/// Share of the debt, at the most, that the true port made itself by what it gave.
+const OWN: f64 = 0.1;
+
 /// Share of the most energy that the true port took, below which a debt does no harm that is felt.
 const LARGE: f64 = 0.1;
 
@@ -72,13 +75,14 @@ impl Miscount {
     pub(super) fn finish(&self) -> Option<Oddity> {
         let [true_work, measured] = self.work;
         let stands = self.standing as f64 >= LAST * self.ticks as f64 && self.braking >= BRAKES;
-        let is_made = true_work - measured >= MADE * self.owed;
+        let is_made = true_work - measured >= MADE * self.owed && -true_work <= OWN * self.owed;
         let is_large = self.owed >= LARGE * self.most;
         (stands && is_made && is_large).then(|| {
-            let [owed, work] = [self.owed, true_work].map(|energy| found(1e3 * energy));
+            let [owed, work] = [self.owed, true_work.abs()].map(|energy| found(1e3 * energy));
+            let way = if true_work < 0.0 { "came out of" } else { "went into" };
             let text = format!(
                 "the stabilizer brakes to the end for a debt of {owed} mJ that errors of the measured position made up: on \
-                 the true motion {work} mJ went into the port"
+                 the true motion {work} mJ {way} the port"
             );
             Oddity::new(Sign::Miscounted, text)
         })

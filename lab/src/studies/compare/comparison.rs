@@ -74,7 +74,10 @@ impl fmt::Display for CompareError {
             Self::Parameter { stabilizer, scene, error, scalar } => {
                 write!(f, "{scene}: {stabilizer} cannot run here: {error}\n  = ")?;
                 match scalar {
-                    Scalar::F32 => f.write_str("change that value in the scene, or compute in f64"),
+                    Scalar::F32 => write!(
+                        f,
+                        "change that value in the scene, leave {stabilizer} out, or compute in f64 if only f32 cannot hold it"
+                    ),
                     Scalar::F64 => {
                         write!(f, "change that value in the scene, or leave {stabilizer} out")
                     }

@@ -43,6 +43,8 @@ pub struct TradeOff {
     common: usize,
     /// Walls that are bounded under `none`, where that takes part.
     alone: Option<usize>,
+    /// Whether runs are bounded, and none of them touches its wall.
+    is_untouched: bool,
 }
 
 /// Common walls below which their median says little.
@@ -125,12 +127,18 @@ impl TradeOff {
         });
         let alone = (0..names.len()).find(|index| is_nobody(*index)).map(|index| held[index]);
         let (walls, common) = (errors.len(), common.len());
-        Self { title, rows: rows.collect(), walls, common, alone }
+        let mut bounded = errors.iter().flatten().flatten().peekable();
+        let is_untouched = bounded.peek().is_some() && bounded.all(|error| error.is_nan());
+        Self { title, rows: rows.collect(), walls, common, alone, is_untouched }
     }
 
     /// The reason why there are no common walls, or few; none where there are enough.
     pub fn note(&self) -> Option<String> {
-        let Self { walls, common, .. } = *self;
+        let Self { walls, common, is_untouched, .. } = *self;
+        let is_nobody = |name: &str| name == BasicName::NoStabilizer.name();
+        if self.rows.iter().all(|(name, ..)| is_nobody(name)) {
+            return Some("No wall is common: no stabilizer takes part".to_owned());
+        }
         let alone = self.alone.filter(|alone| *alone > 0);
         let left_out = alone.map_or_else(String::new, |alone| {
             format!("; {alone} of {walls} are bounded without a stabilizer and left out")
@@ -140,9 +148,15 @@ impl TradeOff {
                 let why = "all are bounded without a stabilizer, and none shows what one costs";
                 Some(format!("No wall is common: {why}"))
             }
-            (0, _) => Some(format!(
-                "No wall is common: no other is bounded under all stabilizers{left_out}"
-            )),
+            (0, _) if is_untouched => {
+                Some(format!("No wall is common: no bounded run touches its wall{left_out}"))
+            }
+            (0, alone) => {
+                let none = if alone.is_some() { "no other" } else { "none" };
+                Some(format!(
+                    "No wall is common: {none} is bounded under all stabilizers{left_out}"
+                ))
+            }
             (common, _) if common < FEW => {
                 Some(format!("Common walls: {common} only, whose median says little{left_out}"))
             }
@@ -268,6 +282,11 @@ mod tests {
         assert!(some.contains("no other is bounded under all stabilizers"), "{some}");
         assert!(some.contains("1 of 2 are bounded without"), "{some}");
         assert!(note(&[&[grows, held], &[held, held]]).contains("Common walls: 1 only"));
+        let untouched = Some(f64::NAN);
+        assert!(note(&[&[grows, untouched], &[grows, untouched]]).contains("touches its wall"));
+        let alone = of(&["popc"], &[&[grows], &[grows]]).note().unwrap();
+        assert!(alone.contains("none is bounded under all"), "{alone}");
+        assert!(of(&["none"], &[&[held]]).note().unwrap().contains("no stabilizer takes part"));
         let wall: &[Option<f64>] = &[grows, held];
         assert_eq!(of(&names, &[wall; FEW]).note(), None);
     }

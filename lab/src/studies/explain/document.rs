@@ -21,6 +21,8 @@ struct Document<'a> {
     first_contact: Option<Balance>,
     whole_run: Balance,
     remedies: Vec<Tried>,
+    /// The reason why there are none.
+    no_remedies: Option<String>,
     look_at: &'a [Oddity],
 }
 
@@ -57,6 +59,7 @@ impl Explanation {
             first_contact: self.first_contact,
             whole_run: self.whole_run,
             remedies: self.remedies.iter().map(tried).collect(),
+            no_remedies: self.lack(),
             look_at: &self.look_at,
         };
         serde_json::to_string_pretty(&document).map(|text| text + "\n")

@@ -30,7 +30,11 @@ impl<'a> Hint<'a> {
 
     /// The reason or the remark, in one sentence; none under a run that needs neither.
     pub fn sentence(&self) -> Option<String> {
-        if self.0.verdict() == Verdict::Grows { Some(self.reason()) } else { self.undisturbed() }
+        if self.0.verdict() == Verdict::Grows {
+            return Some(self.reason());
+        }
+        let in_balance = self.0.fate.criterion(0).starts_in_balance;
+        (in_balance && self.0.settling_time() == Some(0.0)).then(|| undisturbed(&self.0.scene))
     }
 
     /// The reason, as far as a formula gives one, in the words of [`Explanation`](super::Explanation).
@@ -75,25 +79,6 @@ impl<'a> Hint<'a> {
         }
     }
 
-    /// The remark on a run that starts in balance and never leaves it: it would do so in a loop that is not stable too, and
-    /// what rounding starts may take longer than the run to show.
-    fn undisturbed(&self) -> Option<String> {
-        let Summary { scene, .. } = self.0;
-        let in_balance = self.0.fate.criterion(0).starts_in_balance;
-        if !in_balance || self.0.settling_time() != Some(0.0) {
-            return None;
-        }
-        let radius = LinearPart::of(scene).ok().map(|part| part.spectral_radius());
-        let radius = radius.filter(|radius| *radius > 1.0 && scene.stabilizer.is_none());
-        let linear = radius.map_or_else(String::new, |radius| {
-            format!(", and its linear loop is not stable: spectral radius {}", near_one(radius, 8))
-        });
-        Some(format!(
-            "the run starts in balance and nothing takes it out of its band, so the verdict says nothing about the \
-             loop{linear}; start it elsewhere"
-        ))
-    }
-
     /// The debt that a cap below the default left, beside which the stiffness explains little.
     fn unpaid(&self) -> Option<String> {
         let Summary { scene, shortfall, .. } = self.0;
@@ -114,6 +99,20 @@ impl fmt::Display for Hint<'_> {
         }
         writeln!(f, "{}\n               {NEXT}", folded("  why          ", &sentence))
     }
+}
+
+/// The remark on a run that starts in balance and never leaves it: it would do so in a loop that is not stable too, and what
+/// rounding starts may take longer than the run to show.
+pub(super) fn undisturbed(scene: &Scene) -> String {
+    let radius = LinearPart::of(scene).ok().map(|part| part.spectral_radius());
+    let radius = radius.filter(|radius| *radius > 1.0 && scene.stabilizer.is_none());
+    let linear = radius.map_or_else(String::new, |radius| {
+        format!(", and its linear loop is not stable: spectral radius {}", near_one(radius, 8))
+    });
+    format!(
+        "the run starts in balance and nothing takes it out of its band, so the verdict says nothing about the loop{linear}; \
+         start it elsewhere"
+    )
 }
 
 /// Whether a loop is all linear and stable, so that whatever grows in its run decays in a longer one.

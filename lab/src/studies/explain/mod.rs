@@ -36,6 +36,8 @@ pub struct Explanation {
     pub verdict_by: Yardstick,
     /// Whether the run left the range of the numbers.
     pub left_range: bool,
+    /// Whether the run starts in balance and never leaves its band, so that it says nothing about the loop.
+    pub is_undisturbed: bool,
     /// The limits of its stiffness, by formula.
     pub limits: Limits,
     /// The dimensionless groups that it depends on.
@@ -92,6 +94,7 @@ impl Explanation {
             verdict: trial.verdict,
             verdict_by: trial.verdict_by,
             left_range: trial.left_range,
+            is_undisturbed: trial.is_undisturbed,
             limits,
             groups: DimensionlessGroups::of(scene),
             first_contact: trial.first,

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
+use super::goal::Goal;
 use super::words::{Heads, Told};
 use super::{Explanation, Remedy};
-use crate::measure::Verdict;
 use crate::show::beside::beside;
 use crate::show::html;
 use crate::show::labelled::labelled;
@@ -41,17 +41,18 @@ impl Explanation {
             let (changes, outcome) = text.split_once('\n').unwrap_or((&text, ""));
             html! { li { code { (changes) } @for line in outcome.lines() { br; (line.trim()) } } }
         };
-        match self.goal() {
-            Some(_) if self.remedies.is_empty() => html! { p { "Nothing that was tried helps." } },
-            Some(goal) => html! {
-                p { "Each by itself; all were run, and " (goal.words()) "." }
+        let outcome = self.goal().map_or("", Goal::words);
+        match self.lack() {
+            Some(mut lack) => {
+                if let Some(first) = lack.get_mut(..1) {
+                    first.make_ascii_uppercase();
+                }
+                html! { p { (lack) "." } }
+            }
+            None => html! {
+                p { "Each by itself; all were run, and " (outcome) "." }
                 ul { @for remedy in &self.remedies { (told(remedy)) } }
             },
-            None if self.verdict == Verdict::TooShort => {
-                html! { p { "The run is too short to judge." } }
-            }
-            None if self.peak_force == 0.0 => html! { p { "No force acts; nothing was tried." } },
-            None => html! { p { "The run does not grow; nothing was tried." } },
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::hint::{LEFT, TRANSIENT, broken};
+use super::goal::Goal;
+use super::hint::{LEFT, broken};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::measure::Balance;
 use crate::show::described;
@@ -18,17 +19,11 @@ impl fmt::Display for Explanation {
         write!(f, "{}", Heads(self))?;
         writeln!(f)?;
         self.write_balances(f)?;
-        let Some(goal) = self.goal() else {
-            return match self.peak_force != 0.0 {
-                true if self.is_transient() => writeln!(f, "\n  {TRANSIENT}"),
-                true => Ok(()),
-                false => writeln!(f, "\n  {}, so no change of the loop was tried", self.idle()),
-            };
-        };
-        if self.remedies.is_empty() {
-            return writeln!(f, "\n  nothing that was tried helps");
+        if let Some(lack) = self.lack() {
+            return writeln!(f, "\n{}", folded("  ", &lack));
         }
-        writeln!(f, "\n  what helps, each by itself; all were run, and {}", goal.words())?;
+        let outcome = self.goal().map_or("", Goal::words);
+        writeln!(f, "\n  what helps, each by itself; all were run, and {outcome}")?;
         for remedy in &self.remedies {
             writeln!(f, "  - {}", Told(remedy))?;
         }
@@ -116,7 +111,7 @@ impl Explanation {
         if self.is_beyond() { LEFT } else { "the environment was never touched" }
     }
 
-    fn idle(&self) -> &'static str {
+    pub(super) fn idle(&self) -> &'static str {
         if self.is_beyond() { "no force could act" } else { "no force acts in this run" }
     }
 

@@ -1,7 +1,7 @@
 //! Remark on what a scene counts in servo ticks.
 
 use super::axis::Axis;
-use crate::files::scene::{Filter, Scene};
+use crate::files::scene::{Filter, Scene, Stabilizer};
 use crate::text::given;
 
 /// The remark for a map or sweep of `scene` along `axes`; none where no axis changes the length of a tick, or nothing is
@@ -12,6 +12,14 @@ pub(super) fn note(scene: &Scene, axes: &[&Axis]) -> Option<String> {
     let counted = [
         ("effects.delay.ticks", scene.delay_ticks() > 0),
         ("effects.filter.window", matches!(scene.effects.filter, Some(Filter::Window(_)))),
+        (
+            "stabilizer.popc-spread.ticks",
+            matches!(scene.stabilizer, Some(Stabilizer::PopcSpread(_))),
+        ),
+        (
+            "stabilizer.popc-rising.ticks",
+            matches!(scene.stabilizer, Some(Stabilizer::PopcRising(_))),
+        ),
     ];
     let keys = counted.iter().filter(|(key, counts)| *counts || varied(key));
     let keys: Vec<&str> = keys.map(|(key, _)| *key).collect();
@@ -50,6 +58,8 @@ mod tests {
             told("effects.delay.ticks = 2", &["device.mass=1..2:2", rate]).unwrap(),
             "effects.delay.ticks counts servo ticks, and a tick lasts 2 ms at 500 Hz and 0.25 ms at 4000 Hz"
         );
+        let spread = told("stabilizer.popc-spread.ticks = 4", &[rate]).unwrap();
+        assert!(spread.starts_with("stabilizer.popc-spread.ticks counts servo ticks"), "{spread}");
         let both = told("effects.filter.window = 4", &[rate, "effects.delay.ticks=0..2:3"]);
         assert!(both.unwrap().starts_with("effects.delay.ticks and effects.filter.window count "));
     }

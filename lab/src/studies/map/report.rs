@@ -28,8 +28,10 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
         (table(survey).to_html("short"))
         p {
             "Bounded are the cells whose run settles or is swinging; an area, in " (survey.unit()) ", is the share of its \
-             cells of the rectangle of both axes, where a logarithmic axis counts in decades. A saturation bounds every \
-             run: compare what settles there."
+             cells of the rectangle of both axes, where a logarithmic axis counts in decades."
+            @if grid.scene.effects.saturation.is_some() {
+                " A saturation may bound a run that grows without it: compare what settles."
+            }
         }
         (rendered(survey).to_html("short"))
         p {

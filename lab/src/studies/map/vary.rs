@@ -126,9 +126,7 @@ fn multiples(axis: &Axis, rate: f64) -> String {
         return format!("choose multiples, or {alone}");
     }
     let steps = steps as u64;
-    let fewer =
-        (1..=steps).filter(|stride| steps.is_multiple_of(*stride)).map(|stride| steps / stride);
-    let count = 1 + fewer.into_iter().find(|steps| *steps < PROPOSED).unwrap_or(1);
+    let count = 1 + (1..PROPOSED).rev().find(|fewer| steps.is_multiple_of(*fewer)).unwrap_or(1);
     let [from, to] = [least * rate, most * rate];
     format!("choose multiples, as in servo_rate={from:?}..{to:?}:{count}, or {alone}")
 }

@@ -6,7 +6,7 @@ use super::trial::Trial;
 use crate::measure::Summary;
 use crate::show::table::{Heading, Table};
 use crate::simulate::family::StabilizerName;
-use crate::simulate::{Rollout, in_space};
+use crate::simulate::{Criterion, Rollout, in_space};
 use crate::text::{folded, found, given};
 
 /// The table of default against tuned, under a head that says how they were found.
@@ -39,10 +39,15 @@ pub(super) fn remarks(objective: Objective, tuned: &[Tuned]) -> Vec<String> {
     let settles = judged().any(|trial| trial.settle() > 0);
     let bounded = judged().any(|trial| trial.bounded() > 0);
     let counts = objective.weight(Term::Settling) > 0.0;
+    let own = tuned.first().is_some_and(|one| Criterion::of(&one.scene).shortage.is_some());
+    let why = if own {
+        "as the scene itself is"
+    } else {
+        "as a moved mass or stiffness swings more slowly"
+    };
     let too_short = (short > 0).then(|| {
         format!(
-            "up to {short} of {runs} runs are too short to judge, as a moved mass or stiffness swings more slowly: give a \
-             longer duration"
+            "up to {short} of {runs} runs are too short to judge, {why}: give a longer duration"
         )
     });
     let idle = (counts && bounded && !settles).then(|| {
@@ -61,7 +66,7 @@ pub(super) fn signs(tuned: &[Tuned]) -> String {
 
 /// The stabilizers that the judged runs do not tell apart from the best, which is the best of them by chance too.
 fn level(tuned: &[Tuned]) -> Option<String> {
-    let best = Tuned::best(tuned)?;
+    let best = Tuned::best(tuned).filter(|best| best.judged[1].bounded() > 0)?;
     let names: Vec<&str> = best.level(tuned).into_iter().map(StabilizerName::name).collect();
     let name = best.name.name();
     (!names.is_empty()).then(|| {
