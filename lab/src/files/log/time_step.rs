@@ -26,9 +26,6 @@ pub(crate) fn median_period(steps: impl Iterator<Item = TimeStep> + Clone) -> f6
     if periods.is_empty() {
         periods = steps.map(length).collect();
     }
-    let middle = periods.len() / 2;
-    if periods.is_empty() {
-        return 0.0;
-    }
-    *periods.select_nth_unstable_by(middle, f64::total_cmp).1
+    periods.sort_unstable_by(f64::total_cmp);
+    periods.get(periods.len() / 2).copied().unwrap_or(0.0)
 }
