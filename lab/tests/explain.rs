@@ -232,7 +232,7 @@ fn a_mass_near_the_end_of_the_range_is_explained() {
     }
 }
 
-/// What a run in balance does it would do in any loop: nothing is tried, and the page says why.
+/// A run in balance would do the same in any loop: nothing is tried, and the page says why.
 #[test]
 fn a_run_in_balance_tries_nothing_and_says_so() {
     let scene = scene(

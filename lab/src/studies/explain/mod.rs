@@ -84,7 +84,7 @@ impl Explanation {
         Ok(Self::told(scene, trial, Trial::that_holds::<V>, watch))
     }
 
-    /// What `trial`, a run of `scene`, comes to, and the remedies among further runs.
+    /// The explanation of `trial`, a run of `scene`, with the remedies among further runs.
     fn told(scene: &Scene, trial: Trial, run: Run, watch: &Watch<'_>) -> Self {
         let limits = Limits::of(scene);
         let outside = scene.stabilizer.and_then(|own| Oddity::outside(scene, own));
