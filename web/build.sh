@@ -14,7 +14,8 @@ if [ ! -d "$tools/node_modules/axe-core" ] || [ ! -d "$tools/node_modules/binary
     (cd "$tools" && npm install --silent --no-audit --no-fund --no-save esbuild@0.28 axe-core@4 binaryen)
 fi
 
-# The places of panics name files: not those of the machine that built it.
+# The places of panics name files: not those of the machine that built it. The folders of other crates are there once fetched.
+cargo fetch --quiet --manifest-path "$here/Cargo.toml"
 places="--remap-path-prefix=$(cd "$here/.." && pwd)= --remap-path-prefix=$(rustc --print sysroot)="
 for folder in "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/; do
     places+=" --remap-path-prefix=$folder="
