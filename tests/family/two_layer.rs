@@ -65,8 +65,8 @@ fn channels(seed: u64) -> Vec<Box<dyn Channel<f64>>> {
         Box::new(constant(0)),
         Box::new(constant(20)),
         Box::new(varying(40)),
-        Box::new(LossyChannel::new(constant(5), 0.3, seed, 0.0).expect("a channel")),
-        Box::new(LossyChannel::new(varying(40), 0.9, seed, 0.0).expect("a channel")),
+        Box::new(LossyChannel::new(constant(5), 0.3, seed).expect("a channel")),
+        Box::new(LossyChannel::new(varying(40), 0.9, seed).expect("a channel")),
     ]
 }
 

@@ -36,9 +36,9 @@ fn channels(seed: u64) -> Vec<Box<dyn Channel<Message>>> {
         Box::new(constant(60)),
         Box::new(varying(3)),
         Box::new(varying(40)),
-        Box::new(LossyChannel::new(constant(10), 0.3, seed, SILENCE).expect("one")),
-        Box::new(LossyChannel::new(varying(40), 0.9, seed, SILENCE).expect("one")),
-        Box::new(LossyChannel::new(constant(1), 1.0, seed, SILENCE).expect("one")),
+        Box::new(LossyChannel::new(constant(10), 0.3, seed).expect("one")),
+        Box::new(LossyChannel::new(varying(40), 0.9, seed).expect("one")),
+        Box::new(LossyChannel::new(constant(1), 1.0, seed).expect("one")),
     ]
 }
 

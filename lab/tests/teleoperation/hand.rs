@@ -76,8 +76,7 @@ struct Post {
     loss: f64,
     lag: Random<f64>,
     losing: Random<f64>,
-    sent: Message,
-    letters: Vec<(usize, Message)>,
+    letters: Vec<(usize, Option<Message>)>,
 }
 
 impl Post {
@@ -88,20 +87,17 @@ impl Post {
             loss: file.channel.loss.get(),
             lag: Random::new(|_| seed, Source::Lag),
             losing: Random::new(|_| seed, Source::Loss),
-            sent: (0.0, 0.0),
             letters: Vec::new(),
         }
     }
 
     fn carry(&mut self, message: Message) -> Message {
-        if self.losing.uniform() >= self.loss {
-            self.sent = message;
-        }
+        let kept = (self.losing.uniform() >= self.loss).then_some(message);
         let (now, drawn) = (self.letters.len(), self.lag.uniform());
         let lag = self.least + (drawn * (self.spread + 1.0)).floor();
-        self.letters.push((now + lag as usize, self.sent));
-        let newest = self.letters.iter().rev().find(|(arrives, _)| *arrives <= now);
-        newest.map_or((0.0, 0.0), |(_, message)| *message)
+        self.letters.push((now + lag as usize, kept));
+        let arrived = |(arrives, kept): &(usize, Option<Message>)| kept.filter(|_| *arrives <= now);
+        self.letters.iter().rev().find_map(arrived).unwrap_or((0.0, 0.0))
     }
 }
 

@@ -16,6 +16,8 @@ use super::Channel;
 pub struct ConstantDelay<M, const N: usize> {
     ticks: usize,
     next: usize,
+    /// The last message that was not lost: over a constant delay it comes out again where a lost one would have.
+    newest: M,
     waiting: [M; N],
 }
 
@@ -26,17 +28,22 @@ impl<M: Copy, const N: usize> ConstantDelay<M, N> {
     /// `ticks` is above `N`.
     pub fn new(ticks: usize, before: M) -> Result<Self, ParameterError> {
         Requirement::AtMost(N as f64).check("channel ticks", ticks as f64)?;
-        Ok(Self { ticks, next: 0, waiting: [before; N] })
+        Ok(Self { ticks, next: 0, newest: before, waiting: [before; N] })
     }
 }
 
 impl<M: Copy, const N: usize> Channel<M> for ConstantDelay<M, N> {
     fn carry(&mut self, message: M) -> M {
+        self.newest = message;
         let Some(slot) = self.waiting[..self.ticks].get_mut(self.next) else {
             return message;
         };
         let next = self.next + 1;
         self.next = if next == self.ticks { 0 } else { next };
         core::mem::replace(slot, message)
+    }
+
+    fn lose(&mut self) -> M {
+        self.carry(self.newest)
     }
 }

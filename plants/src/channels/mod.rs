@@ -15,10 +15,17 @@ pub use varying_delay::VaryingDelay;
 pub trait Channel<M> {
     /// Takes `message` and returns the newest one that has arrived.
     fn carry(&mut self, message: M) -> M;
+
+    /// A tick whose message is lost on the way: the newest one that has arrived by now.
+    fn lose(&mut self) -> M;
 }
 
 impl<M, C: Channel<M> + ?Sized> Channel<M> for &mut C {
     fn carry(&mut self, message: M) -> M {
         (**self).carry(message)
+    }
+
+    fn lose(&mut self) -> M {
+        (**self).lose()
     }
 }

@@ -57,16 +57,32 @@ impl<M: Copy, const N: usize> VaryingDelay<M, N> {
 
 impl<M: Copy, const N: usize> Channel<M> for VaryingDelay<M, N> {
     fn carry(&mut self, message: M) -> M {
+        self.send(Some(message))
+    }
+
+    fn lose(&mut self) -> M {
+        self.send(None)
+    }
+}
+
+impl<M: Copy, const N: usize> VaryingDelay<M, N> {
+    /// Sends a message, or one that never arrives, and returns the newest one that has arrived.
+    fn send(&mut self, message: Option<M>) -> M {
         self.tick = self.tick.wrapping_add(1);
         let now = self.tick;
+        // Drawn for a lost message too: the random numbers stay those of their tick.
         let lag = self.least + (self.random.uniform() * self.choices) as u64;
         let slot = |sent: u64| (sent % N as u64) as usize;
-        // A letter is under way for N − 1 ticks at most, so the overwritten one has arrived.
+        // A letter is under way for N − 1 ticks at most, so the overwritten one has arrived or is lost.
         if let Some(free) = self.letters.get_mut(slot(now)) {
-            *free = Letter { message, arrives: now.wrapping_add(lag) };
+            *free = match message {
+                Some(message) => Letter { message, arrives: now.wrapping_add(lag) },
+                None => Letter { arrives: u64::MAX, ..*free },
+            };
         }
-        // Only letters sent after the newest arrival, and long enough ago, can arrive.
-        for sent in (self.newest.wrapping_add(1)..=now.saturating_sub(self.least)).rev() {
+        // Only letters sent after the newest arrival, long enough ago, and not yet overwritten can arrive.
+        let first = self.newest.wrapping_add(1).max(now.saturating_sub(N as u64 - 1));
+        for sent in (first..=now.saturating_sub(self.least)).rev() {
             if let Some(letter) = self.letters.get(slot(sent))
                 && letter.arrives <= now
             {

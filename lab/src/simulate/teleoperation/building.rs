@@ -88,11 +88,11 @@ fn losing<T: Scalar>(
     it: Channel,
     seed: u64,
 ) -> Result<AnyChannel<T>, Refused> {
-    let (loss, silence) = (it.loss.get(), (T::of(0.0), T::of(0.0)));
+    let loss = it.loss.get();
     if loss == 0.0 {
         return Ok(Box::new(channel));
     }
-    Ok(Box::new(LossyChannel::new(channel, loss, seed, silence).map_err(in_table("channel.loss"))?))
+    Ok(Box::new(LossyChannel::new(channel, loss, seed).map_err(in_table("channel.loss"))?))
 }
 
 /// The link by which `entrant` joins master and slave.

@@ -18,6 +18,10 @@ pub(super) fn setting(file: &Teleoperator) -> String {
     if file.channel.loss.get() > 0.0 {
         setting += &format!(", {} % lost", given(100.0 * file.channel.loss.get()));
     }
+    let ticks = file.duration.get() * file.servo_rate.get();
+    if file.channel.loss.get() == 1.0 || f64::from(delay) > ticks {
+        setting += ": nothing ever arrives, and each device moves by itself";
+    }
     setting
 }
 
