@@ -146,10 +146,19 @@ fn slowest_swing(scene: &Draft) -> f64 {
     free.max(slowest_drive(scene))
 }
 
-/// The longest period of a hand and an environment that swing, s; 0 without any.
+/// The longest period of a hand and an environment that swing, s, as the ticks see it; 0 without any.
 fn slowest_drive(scene: &Draft) -> f64 {
-    let driven = driven(scene).into_iter().chain(scene.environment.kind().frequency());
-    driven.fold(0.0, |slowest, frequency| slowest.max(frequency.recip()))
+    let hand = driven(scene).map(|it| sampled(it, scene.servo_rate.get()));
+    let environment = scene.environment.kind().frequency();
+    let environment = environment.map(|it| sampled(it, scene.environment_rate()));
+    let seen = hand.into_iter().chain(environment).filter(|frequency| *frequency > 0.0);
+    seen.fold(0.0, |slowest, frequency| slowest.max(frequency.recip()))
+}
+
+/// The frequency that samples at `rate` show of a swing: its distance from the nearest multiple of the rate, Hz.
+pub(crate) fn sampled(frequency: f64, rate: f64) -> f64 {
+    let turns = frequency / rate;
+    if turns <= 0.5 { frequency } else { (turns - turns.round()).abs() * rate }
 }
 
 #[cfg(test)]
@@ -177,6 +186,22 @@ mod tests {
         let text: String = usual.map(|(key, value)| format!("{key} = {value}\n")).collect();
         let scene = Scene::parse(&format!("{text}{more}"), "test");
         Criterion::of(&scene.unwrap_or_else(|fault| panic!("{fault}")))
+    }
+
+    /// A rest that is held from tick to tick moves alike at f and at f plus the rate.
+    #[test]
+    fn a_swing_faster_than_the_ticks_counts_as_the_one_that_they_see() {
+        for (frequency, seen) in
+            [(0.6, 0.6), (1000.6, 0.6), (499.0, 499.0), (501.0, 499.0), (2999.4, 0.6)]
+        {
+            assert_abs_diff_eq!(sampled(frequency, 1000.0), seen, epsilon = 1e-9);
+        }
+        let sine = |frequency: f64| {
+            let motion = "operator.motion = { kind = \"sine\", amplitude = 0.01, frequency = ";
+            criterion(&format!("{motion}{frequency:?} }}\n"))
+        };
+        let (slow, fast) = (sine(0.9), sine(1000.9));
+        assert_eq!((slow.cycle, slow.shortage), (fast.cycle, fast.shortage));
     }
 
     /// The equilibrium on a line.

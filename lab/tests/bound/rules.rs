@@ -118,6 +118,13 @@ fn limits_that_do_not_apply_are_none_with_a_reason() {
     let window = of(&format!("{damped}effects.filter.window = 8"));
     assert_eq!((window.passive, window.exact, window.spectral_radius), (None, None, None));
     assert!(window.gil.is_some() && says(&window, "window"));
+    // A window of one tick is the backward difference.
+    let one = of(&format!("{damped}effects.filter.window = 1"));
+    let without = of(damped);
+    assert_eq!(
+        (one.passive, one.exact, one.spectral_radius, one.gil),
+        (without.passive, without.exact, without.spectral_radius, without.gil)
+    );
     let unused = of("environment.wall.stiffness = 100\neffects.filter.window = 8");
     assert_eq!((unused.passive, unused.exact), (wall.passive, wall.exact));
 

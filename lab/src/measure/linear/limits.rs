@@ -3,7 +3,7 @@
 use lyapunov::bodies::Impedance;
 
 use super::{LinearPart, NotLinear, rules};
-use crate::files::scene::{Filter, Scene, Velocity};
+use crate::files::scene::{Filter, Integrator, Scene, Velocity};
 use crate::text::{found, given};
 
 /// The largest stiffness of a scene's environment by each formula, N/m; its `Display` is the table of `lyapunov bound`.
@@ -118,7 +118,7 @@ fn notes(
         "Gil's rule knows nothing of lost answers",
     );
     note(
-        matches!(effects.filter, Some(Filter::Cutoff(_) | Filter::Window(_))),
+        effects.filter.is_some_and(|it| !matches!(it, Filter::Window(ticks) if ticks.get() == 1)),
         "Gil's rule knows nothing of the filter",
     );
     note(
@@ -128,6 +128,10 @@ fn notes(
     note(
         scene.link.is_some(),
         "Gil's rule knows nothing of the link: it takes hand and device as one mass",
+    );
+    note(
+        scene.integrator != Integrator::Exact,
+        "the limits are those of the exact motion: the scene's integrator adds its own error",
     );
     note(effects.jitter.is_some(), "the period is the nominal one, without jitter");
     note(scene.operator.grip.is_some(), "the grip is the one at the start");

@@ -101,7 +101,10 @@ impl LinearPart {
                 let turn = TAU * cutoff.get() * period;
                 VelocitySource::Difference { share: turn / (1.0 + turn) }
             }
-            (_, Some(Filter::Window(_))) if moves => return Err(NotLinear::Window),
+            // A window of one tick is the backward difference.
+            (_, Some(Filter::Window(ticks))) if moves && ticks.get() > 1 => {
+                return Err(NotLinear::Window);
+            }
             (_, Some(Filter::Window(_))) => VelocitySource::Difference { share: 1.0 },
         };
         let operator = &scene.operator;

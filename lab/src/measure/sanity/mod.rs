@@ -33,6 +33,8 @@ pub enum Sign {
     Reading,
     /// A stabilizer stands before an environment that it does not assume.
     Outside,
+    /// Steps of an integrator are too long for the motion.
+    Coarse,
     /// A stabilizer brakes for a debt that is none of the true port.
     Miscounted,
 }

@@ -7,7 +7,8 @@ use lyapunov::environments::Time;
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
 use crate::files::Scene;
 use crate::files::scene::{Effects, Motion};
-use crate::simulate::equilibrium::last_pull;
+use crate::simulate::criterion::sampled;
+use crate::simulate::equilibrium::{driven, last_pull};
 use crate::text::{found, given};
 
 /// Mass that no hand moves to and fro, kg.
@@ -33,6 +34,9 @@ const GRIP: f64 = 1e5;
 
 /// Errors of a position that no encoder has, m: half a finger's width.
 const COARSE: f64 = 5e-3;
+
+/// Angle by which a step of an integrator turns a swing, rad, above which its error shows.
+const COARSE_TURN: f64 = 0.5;
 
 /// Force limit that nobody feels, N: a tenth of the weight of a gram.
 const FAINT: f64 = 1e-3;
@@ -69,8 +73,51 @@ impl Bounded {
 /// The signs of the numbers of `scene`.
 pub(super) fn signs(scene: &Scene) -> Vec<Oddity> {
     let units = bounded(scene).into_iter().filter_map(|number| number.oddity());
-    let turned = [spring(scene), damper(scene)];
-    units.chain(travel(scene)).chain(turned.into_iter().flatten()).collect()
+    let turned = [spring(scene), damper(scene), coarse(scene)];
+    let folded = folded(scene);
+    units.chain(travel(scene)).chain(folded).chain(turned.into_iter().flatten()).collect()
+}
+
+/// Swings faster than half the rate that samples them, as which slower ones are seen.
+fn folded(scene: &Scene) -> impl Iterator<Item = Oddity> {
+    let hand = driven(scene).map(|it| ("operator.motion".to_owned(), it, scene.servo_rate.get()));
+    let frequency = scene.environment.kind().frequency();
+    let environment = format!("environment.{}", scene.environment.name());
+    let environment = frequency.map(|it| (environment, it, scene.environment_rate()));
+    let too_fast = hand.into_iter().chain(environment).filter(|(_, it, rate)| *it > 0.5 * rate);
+    too_fast.map(|(key, frequency, rate)| {
+        let (seen, frequency, rate) =
+            (found(sampled(frequency, rate)), given(frequency), given(rate));
+        let text = format!(
+            "{key}.frequency is {frequency} Hz, more than half of the {rate} Hz that sample it: it moves as if it were {seen} Hz"
+        );
+        Oddity::new(Sign::Unit, text)
+    })
+}
+
+/// Steps of an integrator that are long for the fastest swing of hand and device on their springs.
+fn coarse(scene: &Scene) -> Option<Oddity> {
+    let steps = scene.integrator.steps_per_tick()?;
+    let (hand, device) = (&scene.operator, scene.device.mass.get());
+    let pull = hand.stiffness.get();
+    let square = match scene.link {
+        None => pull / (hand.mass.get() + device),
+        // At most the sum of both: of the link between the masses, and of the hand's spring on its own.
+        Some(link) => {
+            link.stiffness.get() * (device.recip() + hand.mass.get().recip())
+                + pull / hand.mass.get()
+        }
+    };
+    let step = scene.period() / f64::from(steps);
+    let turn = step * square.sqrt();
+    (turn > COARSE_TURN && turn.is_finite()).then(|| {
+        let (step, turn) = (found(1e3 * step), found(turn));
+        let text = format!(
+            "a step of the integrator, {step} ms, turns the fastest swing by {turn} rad: give more steps_per_tick, or \
+             integrator = \"exact\""
+        );
+        Oddity::new(Sign::Coarse, text)
+    })
 }
 
 fn bounded(scene: &Scene) -> Vec<Bounded> {
