@@ -232,6 +232,21 @@ fn a_mass_near_the_end_of_the_range_is_explained() {
     }
 }
 
+/// A link on which `ω T` is 3.46, beyond the 2.83 that RK4 bears: the growth is the integrator's, and the hold gives little.
+#[test]
+fn what_an_integrator_adds_is_called_its_own() {
+    let scene = scene(
+        "duration = 2\nservo_rate = 500\nintegrator = \"rk4\"\nlink.stiffness = 2e5\n\
+         operator = { mass = 0.2, damping = 1, stiffness = 100 }\ndevice = { mass = 0.1, damping = 0.5 }\n\
+         initial.position = -0.01\nenvironment.wall = { stiffness = 1000, damping = 1 }\n",
+    );
+    let explained = Explanation::of::<f64>(&scene).unwrap();
+    let told = explained.to_string();
+    assert!(told.contains("left  to integrator") && !told.contains("largest leak"), "{told}");
+    let exact = explained.remedies.first().unwrap();
+    assert_eq!((exact.changes[0].0.as_str(), exact.verdict), ("integrator", Verdict::Settles));
+}
+
 /// A run in balance would do the same in any loop: nothing is tried, and the page says why.
 #[test]
 fn a_run_in_balance_tries_nothing_and_says_so() {

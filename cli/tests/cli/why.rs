@@ -279,3 +279,21 @@ fn a_run_that_starts_in_balance_is_told_to_say_nothing_about_its_loop() {
     beside.ended(0, &["verdict"]);
     assert!(!beside.out.contains("balance") && !beside.out.contains("settles"), "{}", beside.out);
 }
+
+#[test]
+fn studies_of_a_scene_in_balance_say_that_they_say_nothing() {
+    let place = place();
+    // 50 · 0.004 = 450 x.
+    let calm =
+        WALL.replace("40000", "400").replace("position = -0.004", "position = 4.44444444444444e-4");
+    place.put("calm.toml", calm);
+    let told = ["starts in balance", "start it elsewhere"];
+    place
+        .run(["compare", "calm.toml", "--stabilizers", "none,popc", "--out", "all"])
+        .ended(0, &told);
+    assert!(place.text("all/report.html").contains("starts in balance"));
+    place.run(["tune", "calm.toml", "--trials", "2", "--runs", "2"]).ended(0, &told);
+    let axes = ["--x", "device.damping=1..3:2", "--y", "device.mass=0.2..0.3:3"];
+    let map = ["map", "calm.toml", "--stabilizers", "none,popc", "--out", "map"];
+    place.run(map.into_iter().chain(axes)).ended(0, &["in 6 of 6 cells", told[0], told[1]]);
+}

@@ -2,12 +2,11 @@
 
 use maud::{Markup, html};
 
-use super::table::{Setting, equal_names, tables};
+use super::table::{Setting, equal_names, remarks, tables};
 use super::{Broken, Column, Comparison, Score};
 use crate::show::beside::{beside, unfit};
 use crate::show::csv::{self, Field};
 use crate::show::html;
-use crate::show::verdict::by_speed;
 use lyapunov_figures::Figure;
 
 /// The page of `comparisons`, each with its figures and their captions, as HTML; `command` made it, and `left_out` has
@@ -51,9 +50,8 @@ fn section(index: usize, comparison: &Comparison, figures: &[(&Figure, &str)]) -
         h2 id=(format!("scene-{index}")) { (comparison.name) }
         p {
             (Setting(&comparison.scene).to_string()) ". POPC and LOLC: " (comparison.settings.to_string()) "."
-            @if let Some(sentence) = crate::show::described::exceeded_cap(&comparison.scene) { " " (sentence) "." }
-            @if let Some(by) = by_speed(&comparison.scene) { " Judged " (by) "." }
         }
+        @for remark in remarks(comparison) { p { (remark) } }
         @if !equal.is_empty() {
             p { "Equal in every number and every curve as they are shown, and shown once, each name with the median ns of a step:" }
             ul { @for names in &equal { li { (names) } } }

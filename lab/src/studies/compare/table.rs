@@ -10,6 +10,7 @@ use crate::files::Scene;
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
+use crate::studies::explain::in_balance;
 use crate::text::{folded, given};
 
 /// Columns of the loop's behaviour.
@@ -49,19 +50,24 @@ const PHYSICAL: [Column; 6] = [
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
-    if let Some(sentence) = described::exceeded_cap(&comparison.scene) {
-        writeln!(f, "{sentence}")?;
-    }
-    if let Some(by) = by_speed(&comparison.scene) {
-        writeln!(f, "judged {by}")?;
-    }
-    for sign in LookAt::of(comparison) {
-        writeln!(f, "{}", sign.line(comparison.outcomes.len()))?;
+    for remark in remarks(comparison) {
+        writeln!(f, "{remark}")?;
     }
     for names in equal_names(comparison) {
         writeln!(f, "{}", folded("equal as shown (median ns of a step): ", &names))?;
     }
     tables(comparison).iter().try_for_each(|table| write!(f, "\n{table}"))
+}
+
+/// What a reader of the tables must know, a remark each.
+pub(super) fn remarks(comparison: &Comparison) -> Vec<String> {
+    let cap = described::exceeded_cap(&comparison.scene);
+    let by = by_speed(&comparison.scene).map(|by| format!("judged {by}"));
+    let undisturbed = comparison.scores().all(|score| score.settling_time == Some(0.0));
+    let balance = undisturbed.then(|| folded("note: ", &in_balance("each run", "")));
+    let signs = LookAt::of(comparison).into_iter();
+    let signs = signs.map(|sign| sign.line(comparison.outcomes.len()));
+    [cap, by, balance].into_iter().flatten().chain(signs).collect()
 }
 
 /// Room for a name in the first column, in characters.

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::files::Scene;
+use crate::files::scene::Integrator;
 use crate::measure::{Limits, LinearPart, Summary, Verdict};
 use crate::text::{folded, found, given, near_one};
 
@@ -33,6 +34,11 @@ impl<'a> Hint<'a> {
         if self.0.verdict() == Verdict::Grows {
             return Some(self.reason());
         }
+        self.remark()
+    }
+
+    /// The remark on a run that starts in balance and stays there.
+    pub(crate) fn remark(&self) -> Option<String> {
         let in_balance = self.0.fate.criterion(0).starts_in_balance;
         (in_balance && self.0.settling_time() == Some(0.0)).then(|| undisturbed(&self.0.scene))
     }
@@ -73,6 +79,11 @@ impl<'a> Hint<'a> {
                     "{own} N/m is less than the {least} N/m from which on the linear loop is stable"
                 )
             }
+            Some(_) if self.0.scene.integrator != Integrator::Exact => {
+                "in contact the linear loop is stable; what drives the run is not in it, and may be the integrator's own \
+                 error: compare with integrator = \"exact\""
+                    .to_owned()
+            }
             Some(_) => {
                 "in contact the linear loop is stable; what drives the run is not in it".to_owned()
             }
@@ -109,8 +120,13 @@ pub(super) fn undisturbed(scene: &Scene) -> String {
     let linear = radius.map_or_else(String::new, |radius| {
         format!(", and its linear loop is not stable: spectral radius {}", near_one(radius, 8))
     });
+    in_balance("the run", &linear)
+}
+
+/// The remark on `runs` that start in balance and never leave it, with what else is `known` of the loop.
+pub(crate) fn in_balance(runs: &str, known: &str) -> String {
     format!(
-        "the run starts in balance and nothing takes it out of its band, so the verdict says nothing about the loop{linear}; \
+        "{runs} starts in balance and nothing takes it out of its band, so the verdict says nothing about the loop{known}; \
          start it elsewhere"
     )
 }

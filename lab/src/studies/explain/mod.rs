@@ -21,7 +21,7 @@ use crate::measure::balance::Trial;
 pub use crate::measure::{Balance, Watch};
 pub use groups::DimensionlessGroups;
 pub use hint::Hint;
-pub(crate) use hint::NEXT;
+pub(crate) use hint::{NEXT, in_balance};
 pub use remedy::{Change, Remedy};
 use remedy::{Run, Search};
 

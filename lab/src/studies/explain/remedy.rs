@@ -5,7 +5,8 @@ use std::iter;
 use super::Watch;
 use super::goal::Goal;
 use crate::files::scene::{
-    Candidate, Cap, Draft, Ledger, Lolc, NonNegative, Popc, Positive, Scene, Stabilizer, Work,
+    Candidate, Cap, Draft, Integrator, Ledger, Lolc, NonNegative, Popc, Positive, Scene,
+    Stabilizer, Work,
 };
 use crate::measure::balance::{Feel, Trial};
 use crate::measure::{LinearPart, Verdict};
@@ -70,8 +71,9 @@ impl Search<'_> {
         let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
             return Vec::new();
         };
-        let found = [softer(&bare, self), faster(&bare, self), damped(&bare, self)];
-        found.into_iter().flatten().chain(stabilized(&bare, self)).collect()
+        let plain =
+            [exactly(&bare, self), softer(&bare, self), faster(&bare, self), damped(&bare, self)];
+        plain.into_iter().flatten().chain(stabilized(&bare, self)).collect()
     }
 
     fn is_stopped(&self) -> bool {
@@ -88,6 +90,14 @@ impl Search<'_> {
         let Trial { verdict, feel: Feel { peak, error }, .. } = trial;
         Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
     }
+}
+
+/// The exact motion in place of an integrator's.
+fn exactly(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
+    let exact = Draft { integrator: Integrator::Exact, ..scene.to_draft() };
+    let change = vec![("integrator".to_owned(), Change::Word("exact"))];
+    (scene.integrator != Integrator::Exact).then_some(())?;
+    search.tried(exact.check().ok()?, change)
 }
 
 /// The largest stiffness whose loop holds.

@@ -5,6 +5,7 @@ use std::fmt;
 use super::goal::Goal;
 use super::hint::{LEFT, broken};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
+use crate::files::scene::Integrator;
 use crate::measure::Balance;
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
@@ -131,6 +132,11 @@ impl Explanation {
                 false => "where it was stored at the start",
             };
             writeln!(f, "\n  most came from the environment, {why}")?;
+        } else if self.approximates() && first.closing.abs() > energy.max(0.0) {
+            writeln!(
+                f,
+                "\n  most came from or went to the integrator's own error: take \"exact\", or more steps"
+            )?;
         } else if energy > 0.0 {
             writeln!(f, "\n  largest leak of the first contact: the {leak}")?;
         }
@@ -149,13 +155,38 @@ impl Explanation {
         let values = LINES.into_iter().map(|(name, of)| (name, [first, &self.whole_run].map(of)));
         let rows = values.filter(|(_, values)| *values != [0.0, 0.0]).map(|(name, values)| {
             let [first, whole] = values.map(|value| Cell::from(MILLI * value));
-            [name.into(), first, whole]
+            [self.line(name).into(), first, whole]
         });
         Table::new(headings).with_rows(rows)
     }
 }
 
+impl Explanation {
+    /// A line's name: what takes the remainder names all that is in it.
+    fn line(&self, name: &str) -> String {
+        let effects = &self.scene.effects;
+        let friction = effects.friction.is_some().then_some("friction");
+        let jitter = effects.jitter.is_some().then_some("jitter");
+        let known = friction.into_iter().chain(jitter);
+        let known: Vec<_> = known.chain(self.approximates().then_some("integrator")).collect();
+        match name {
+            FRICTION => format!("out   into {}", known.join(", ")),
+            CLOSING if !known.is_empty() => format!("left  to {}", known.join(", ")),
+            _ => name.to_owned(),
+        }
+    }
+
+    /// Whether an integrator moves the plant, with errors of its own.
+    pub(super) fn approximates(&self) -> bool {
+        self.scene.integrator != Integrator::Exact
+    }
+}
+
 type Of = fn(&Balance) -> f64;
+
+/// The names of the two lines that take the remainder.
+const FRICTION: &str = "out   into friction";
+const CLOSING: &str = "left  to rounding";
 
 /// The lines of a balance.
 const LINES: [(&str, Of); 15] = [
@@ -169,11 +200,11 @@ const LINES: [(&str, Of); 15] = [
     ("out   into the device's damper", |it| it.device),
     ("out   into the operator's damper", |it| it.operator),
     ("out   into the link's damper", |it| it.link),
-    ("out   into friction", |it| it.friction),
+    (FRICTION, |it| it.friction),
     ("out   into the wall, by its law", |it| it.wall),
     ("out   into the controller", |it| it.controller),
     ("kept  in masses and springs", |it| it.gained),
-    ("left  to rounding", |it| it.closing),
+    (CLOSING, |it| it.closing),
 ];
 
 /// Largest force of a run, and the error of its force, if it has one.

@@ -12,6 +12,7 @@ use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 use crate::show::verdict::by_speed;
+use crate::studies::explain::in_balance;
 use crate::text::shell_word;
 
 /// The page of a map with its `figures`, as HTML; `command` made the map of the file `scene`.
@@ -117,10 +118,12 @@ fn notes(survey: &Survey) -> Vec<String> {
         Some(by) if survey.by_speed() == all => Some(format!("judged {by}")),
         _ => told(survey.by_speed(), "are judged by speed: they have no place to rest at"),
     };
+    let calm = survey.undisturbed();
+    let calm = (calm > 0).then(|| in_balance(&format!("in {calm} of {all} cells each run"), ""));
     let sign = survey.look_at().map(|it| format!("look at: {}", it.text));
     let grid = survey.grid();
     let in_ticks = in_ticks::note(&grid.scene, &[&grid.x, &grid.y]);
-    let notes = [by_speed, told(short, "are too short to judge"), in_ticks, sign];
+    let notes = [by_speed, calm, told(short, "are too short to judge"), in_ticks, sign];
     notes.into_iter().flatten().collect()
 }
 

@@ -18,6 +18,8 @@ pub struct Survey {
     alone: Option<usize>,
     /// Cells that are judged by speed.
     by_speed: u64,
+    /// Cells of which no run ever leaves its band.
+    undisturbed: u64,
     /// Whether a force acts in any cell, as far as is known.
     acts: bool,
     layers: Vec<Layer>,
@@ -87,7 +89,16 @@ impl Survey {
         let layers = vec![layer; grid.stabilizers.len()];
         let nobody = StabilizerName::Basic(BasicName::NoStabilizer);
         let alone = grid.stabilizers.iter().position(|member| *member == nobody);
-        Self { grid: grid.clone(), columns, rows, alone, by_speed: 0, acts: false, layers }
+        Self {
+            grid: grid.clone(),
+            columns,
+            rows,
+            alone,
+            by_speed: 0,
+            undisturbed: 0,
+            acts: false,
+            layers,
+        }
     }
 
     /// Adds the next cell; cells come in their order.
@@ -99,6 +110,8 @@ impl Survey {
         let (column, row) = (self.grid.x.sample_at(x), self.grid.y.sample_at(y));
         let is_by_speed = outcomes.iter().any(|outcome| outcome.verdict_by == Yardstick::Speed);
         self.by_speed += u64::from(is_by_speed);
+        let stays = outcomes.iter().all(|outcome| outcome.measures.settling_time == Some(0.0));
+        self.undisturbed += u64::from(stays);
         let alone = self.alone.map(|index| outcomes[index].verdict);
         self.acts |= outcomes.iter().any(|outcome| outcome.measures.peak_force != Some(0.0));
         for (layer, outcome) in self.layers.iter_mut().zip(outcomes) {
@@ -158,6 +171,11 @@ impl Survey {
     /// The cells that are judged by speed.
     pub fn by_speed(&self) -> u64 {
         self.by_speed
+    }
+
+    /// The cells in which the plant starts in balance and no run takes it out of its band.
+    pub(super) fn undisturbed(&self) -> u64 {
+        self.undisturbed
     }
 
     /// The sign that no force acts in any cell.

@@ -7,6 +7,7 @@ use crate::measure::Summary;
 use crate::show::table::{Heading, Table};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{Criterion, Rollout, in_space};
+use crate::studies::explain::Hint;
 use crate::text::{folded, found, given};
 
 /// The table of default against tuned, under a head that says how they were found.
@@ -56,12 +57,15 @@ pub(super) fn remarks(objective: Objective, tuned: &[Tuned]) -> Vec<String> {
     too_short.into_iter().chain(idle).chain(level(tuned)).collect()
 }
 
-/// The signs of a scene in which no force acts, a line each: there is nothing to tune for then.
+/// The signs of a scene in which no force acts or which starts in balance, a line each: there is nothing to tune for then.
 pub(super) fn signs(tuned: &[Tuned]) -> String {
     let Some(Tuned { scene, .. }) = tuned.first() else { return String::new() };
     let run = in_space!(scene, Axes => Rollout::<Axes>::of(scene).map(|it| Summary::of(scene, it)));
-    let idle = run.ok().filter(|run| !run.acts()).map(|run| run.look_at());
-    idle.into_iter().flatten().map(|it| folded("look at: ", &it.text) + "\n").collect()
+    let Ok(run) = run else { return String::new() };
+    let idle = if run.acts() { Vec::new() } else { run.look_at() };
+    let signs = idle.into_iter().map(|it| folded("look at: ", &it.text));
+    let calm = Hint::of(&run).remark().map(|it| folded("note: ", &it));
+    signs.chain(calm).map(|line| line + "\n").collect()
 }
 
 /// The stabilizers that the judged runs do not tell apart from the best, which is the best of them by chance too.
