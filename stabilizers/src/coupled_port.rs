@@ -126,6 +126,11 @@ impl<P, V: Signal> CoupledPort<P, V> {
         Ok(())
     }
 
+    /// The port inside.
+    pub fn port(&self) -> &P {
+        &self.port
+    }
+
     /// The port inside, to be changed between ticks.
     pub fn port_mut(&mut self) -> &mut P {
         &mut self.port

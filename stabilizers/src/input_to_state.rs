@@ -92,6 +92,16 @@ impl<P, V: Signal> InputToState<P, V> {
         Ok(Self { port, slope, share, feed, answer: zero, asked, shift: zero })
     }
 
+    /// The port inside.
+    pub fn port(&self) -> &P {
+        &self.port
+    }
+
+    /// The port inside, to be changed between ticks.
+    pub fn port_mut(&mut self) -> &mut P {
+        &mut self.port
+    }
+
     /// The slope `μ`, N/m; 0 while none is known.
     #[inline]
     pub fn slope(&self) -> V::Scalar {

@@ -160,3 +160,18 @@ fn meters_and_tracks() {
     }
     assert!(resumed.is_some());
 }
+
+/// What stands inside the adaptors of a loop is changed where it stands: here each lends the next.
+#[test]
+fn a_stabilizer_behind_adaptors_is_reached() {
+    let mut chain = wall()
+        .stabilized(popc())
+        .saturated(5.0)
+        .and_then(|port| port.delayed::<4>(1))
+        .and_then(|port| port.encoded(1e-5))
+        .and_then(|port| port.low_passed(30.0))
+        .expect("a chain");
+    chain.port_mut().port_mut().port_mut().port_mut().stabilizer_mut().owe(0.25).expect("a debt");
+    let inside = chain.port().port().port().port().stabilizer();
+    assert_eq!(inside.observed_energy(), -0.25);
+}

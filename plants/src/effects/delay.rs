@@ -25,6 +25,8 @@ pub struct Delay<P, V, const N: usize> {
     waiting: [V; N],
 }
 
+lends_port!([P, V, const N: usize] Delay<P, V, N>);
+
 impl<P, V: Signal, const N: usize> Delay<P, V, N> {
     pub(crate) fn new(port: P, ticks: usize) -> Result<Self, ParameterError> {
         Requirement::AtMost(N as f64).check("delay ticks", ticks as f64)?;

@@ -30,6 +30,8 @@ pub struct Dropout<P, V: Signal> {
     arrived: V,
 }
 
+lends_port!([P, V: Signal] Dropout<P, V>);
+
 impl<P, V: Signal> Dropout<P, V> {
     pub(crate) fn new(
         port: P,

@@ -1,7 +1,7 @@
 //! Positions in encoder counts.
 
 use lyapunov_core::{
-    Correction, OnePort, ParameterError, PortSample, Requirement, Signal, Snapshot,
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
 };
 
 use super::retold::Retold;
@@ -27,9 +27,14 @@ pub struct Encoder<P, V: Signal> {
     retold: Retold<V>,
 }
 
+lends_port!([P, V: Signal] Encoder<P, V>);
+
 impl<P, V: Signal> Encoder<P, V> {
     pub(crate) fn new(port: P, resolution: V::Scalar) -> Result<Self, ParameterError> {
         let resolution = Requirement::Positive.check("encoder resolution", resolution)?;
+        // Below this the counts of everyday positions leave the range.
+        let finest = V::Scalar::smallest_normal().lane(0) / V::Scalar::epsilon().lane(0);
+        let resolution = Requirement::AtLeast(finest).check("encoder resolution", resolution)?;
         Ok(Self { port, resolution, retold: Retold::after(None) })
     }
 }

@@ -13,6 +13,8 @@ pub struct Estimated<P, E> {
     velocity: E,
 }
 
+lends_port!([P, E] Estimated<P, E>);
+
 /// A port whose velocities are [backward differences](Differenced).
 ///
 /// ```
@@ -35,12 +37,6 @@ pub type AdaptiveWindow<P, V, const N: usize> = Estimated<P, Windowed<V, N>>;
 impl<P, E> Estimated<P, E> {
     pub(crate) fn new(port: P, velocity: E) -> Self {
         Self { port, velocity }
-    }
-
-    /// The port inside, which receives them.
-    #[inline(always)]
-    pub fn port(&self) -> &P {
-        &self.port
     }
 }
 

@@ -46,6 +46,8 @@ pub struct Guard<P, V: Signal> {
     rejected: bool,
 }
 
+lends_port!([P, V: Signal] Guard<P, V>);
+
 /// The known work and motion since the last sound sample.
 #[derive(Clone, Copy, Debug)]
 struct Gap<V: Signal> {

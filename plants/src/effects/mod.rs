@@ -1,5 +1,24 @@
 //! Effects on a port: adaptors that own it.
 
+/// Access to the port inside an adaptor: `lends_port!([P, V: Signal] Delay<P, V>)`.
+macro_rules! lends_port {
+    ([$($parameters:tt)*] $adaptor:ty) => {
+        impl<$($parameters)*> $adaptor {
+            /// The port inside.
+            #[inline(always)]
+            pub fn port(&self) -> &P {
+                &self.port
+            }
+
+            /// The port inside, to be changed between ticks.
+            #[inline]
+            pub fn port_mut(&mut self) -> &mut P {
+                &mut self.port
+            }
+        }
+    };
+}
+
 mod delay;
 mod dropout;
 mod encoder;

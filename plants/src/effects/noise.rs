@@ -31,6 +31,8 @@ pub struct Noise<P, V: Signal> {
     retold: Retold<V>,
 }
 
+lends_port!([P, V: Signal] Noise<P, V>);
+
 impl<P, V: Signal> Noise<P, V> {
     pub(crate) fn new(
         port: P,

@@ -21,6 +21,8 @@ pub struct Saturation<P, T> {
     force: T,
 }
 
+lends_port!([P, T] Saturation<P, T>);
+
 impl<P, T: Scalar> Saturation<P, T> {
     pub(crate) fn new(port: P, force: T) -> Result<Self, ParameterError> {
         Ok(Self { port, force: Requirement::Positive.check("saturation force", force)? })

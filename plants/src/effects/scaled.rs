@@ -32,6 +32,8 @@ pub struct Scaled<P, T> {
     scale: T,
 }
 
+lends_port!([P, T] Scaled<P, T>);
+
 impl<P, T: Scalar> Scaled<P, T> {
     pub(crate) fn new(port: P, scale: T) -> Result<Self, ParameterError> {
         Ok(Self { port, scale: Self::checked(scale)? })

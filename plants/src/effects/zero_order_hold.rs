@@ -25,6 +25,8 @@ pub struct ZeroOrderHold<P, V: Signal> {
     effort: V,
 }
 
+lends_port!([P, V: Signal] ZeroOrderHold<P, V>);
+
 /// Sums that the port inside has not received yet.
 #[derive(Clone, Copy, Debug)]
 struct Missed<V: Signal> {
