@@ -1,6 +1,7 @@
 //! What is remembered from reading to reading.
 
 use super::{CheckedSample, Reading, Track, one_and_a_half};
+use crate::velocity::careful;
 use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// The last accepted position, and the time and the efforts since then.
@@ -55,12 +56,7 @@ impl<V: Signal> Heard<V> {
         let zero = V::Scalar::of(0.0);
         // Of the very numbers that a backward difference divides, so that it is not divided twice.
         velocity.zip(self.motion().displacement, |told, moved| {
-            let mean = moved / self.span;
-            let slower = mean.magnitude().below(told.magnitude());
-            let turned = (mean * told).below(zero);
-            let careful = V::Scalar::choose(slower, mean, told);
-            let careful = V::Scalar::choose(turned, zero, careful);
-            let velocity = V::Scalar::choose(self.late, careful, told);
+            let velocity = V::Scalar::choose(self.late, careful(told, moved / self.span), told);
             V::Scalar::choose(velocity.finite(), velocity, zero)
         })
     }
