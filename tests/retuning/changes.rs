@@ -279,7 +279,7 @@ fn what_is_read_is_what_was_set() {
     assert!(slow.set_velocity(1e200).is_err() && slow.set_velocity(-1.0).is_err());
     assert_eq!(slow.velocity(), 0.05);
     let mut spread = popc.spread_over::<f64>(4).expect("one");
-    assert!(spread.set_ticks(0).is_err() && spread.ticks() == 4.0);
+    assert!(spread.set_ticks(0).is_err() && spread.ticks() == 4);
     let mut filter = LeastNorm::new(PortEnergy, limit(), 0.5).expect("one");
     assert!(filter.set_decay(1.5).is_err() && filter.decay() == 0.5);
     let mut slope = SlopeBound::<f64>::new(1e3).expect("one");
