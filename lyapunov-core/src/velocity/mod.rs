@@ -65,3 +65,20 @@ pub trait VelocityEstimator<V: Signal> {
     /// Forgets in these `lanes` what it was told: the next sample is the first, which displaces nothing.
     fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask);
 }
+
+impl<V: Signal, E: VelocityEstimator<V> + ?Sized> VelocityEstimator<V> for &mut E {
+    #[inline(always)]
+    fn velocity(&mut self, sample: &PortSample<V>) -> V {
+        (**self).velocity(sample)
+    }
+
+    #[inline(always)]
+    fn interrupt(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        (**self).interrupt(lanes);
+    }
+
+    #[inline(always)]
+    fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        (**self).restart(lanes);
+    }
+}
