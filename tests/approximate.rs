@@ -9,7 +9,7 @@ use lyapunov::{
     accumulators::DoubleDouble,
     bodies::{DampedMass, ElasticJoint, Impedance, TwoMassParts},
     integrators::State,
-    poses::Screw,
+    poses::{Pose, Screw, WithPose},
     stabilizers::PartLimits,
 };
 use nalgebra::{Vector1, Vector2, Vector3};
@@ -47,6 +47,17 @@ fn every_axis_and_part_counts() {
     let turned = Screw::new(Vector3::x(), Vector3::y() * 1.001);
     assert_relative_eq!(screw, turned, max_relative = 2e-3);
     assert!(!abs_diff_eq!(screw, turned, epsilon = 0.9e-3));
+    let [here, there] = [0.3, 0.301].map(|z| Pose::at(Vector3::z() * z));
+    assert_abs_diff_eq!(here, there, epsilon = 1.1e-3);
+    assert!(!abs_diff_eq!(here, there, epsilon = 0.9e-3));
+    let turned_pose = |angle: f64| Pose::from(nalgebra::Isometry3::rotation(Vector3::x() * angle));
+    // Half of the angle is the difference of the quaternions, to the first order.
+    assert_relative_eq!(turned_pose(0.0), turned_pose(2e-3), epsilon = 1.1e-3);
+    assert!(!relative_eq!(turned_pose(0.0), turned_pose(2e-3), epsilon = 0.9e-3));
+    let with_pose = |screw, pose| WithPose::<f64> { screw, pose };
+    assert_abs_diff_eq!(with_pose(screw, here), with_pose(turned, there), epsilon = 1.1e-3);
+    assert!(!ulps_eq!(with_pose(screw, here), with_pose(turned, here)));
+    assert!(!ulps_eq!(with_pose(screw, here), with_pose(screw, there)));
     let limit = |most| DampingLimit::at(most).expect("a limit");
     let limits = |rotation| PartLimits { translation: limit(9.0), rotation: limit(rotation) };
     assert!(!relative_eq!(limits(1.0), limits(1.1), max_relative = 0.01));

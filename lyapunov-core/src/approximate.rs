@@ -12,6 +12,7 @@ use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 use crate::telemetry::{EnergySummary, RecordedTick};
 use crate::{
     AdmittanceSample, Axes, Correction, DoubleDouble, PortSample, Scalar, Screw, Signal, State,
+    WithPose,
 };
 
 /// Implementation of `approx`'s three traits for a type whose fields all have them, with the tolerance of the first
@@ -93,6 +94,7 @@ approximate!(impl[V: Signal] Correction<V>, of V, V::Scalar {
 });
 approximate!(impl[Q: PartialEq] State<Q>, of Q { position, velocity });
 approximate!(impl[T: Scalar, F: Axes] Screw<T, F>, of T { translation, rotation });
+approximate!(impl[T: Scalar, F: Axes] WithPose<T, F>, of T { screw, pose });
 approximate!(impl[V: Signal] RecordedTick<V>, of PortSample<V>, Correction<V> { sample, correction });
 approximate!(impl[T: PartialEq] EnergySummary<T>, of T {
     active, rejected, now, least, most, asked, absorbed, shortfall, largest_shortfall;

@@ -4,7 +4,10 @@
 
 use alloc::boxed::Box;
 
-use crate::{Correction, LyapunovCandidate, OnePort, Plant, PortSample, Signal, Stabilizer};
+use crate::{
+    Correction, LyapunovCandidate, OnePort, Plant, PortSample, Scalar, Signal, Stabilizer,
+    VelocityEstimator,
+};
 
 /// ```
 /// use lyapunov_core::{Correction, OnePort, PortSample, Stabilizer};
@@ -70,5 +73,33 @@ impl<V: Signal, P: Plant<V> + ?Sized> Plant<V> for Box<P> {
     #[inline]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         (**self).advance_into(effort, sample);
+    }
+}
+
+/// ```
+/// use lyapunov_core::{Differenced, LowPassed, Reading, Readings, VelocityEstimator};
+/// let smooth = true;
+/// let chosen: Box<dyn VelocityEstimator<f64>> =
+///     if smooth { Box::new(LowPassed::new(30.0)?) } else { Box::new(Differenced) };
+/// let mut readings = Readings::every(1e-3)?.estimated_by(chosen);
+/// readings.read(Reading { position: 0.0, applied: 0.0 });
+/// let velocity = readings.read(Reading { position: 1e-3, applied: 0.0 }).sample.velocity;
+/// assert!(velocity > 0.0 && velocity < 1.0);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+impl<V: Signal, E: VelocityEstimator<V> + ?Sized> VelocityEstimator<V> for Box<E> {
+    #[inline]
+    fn velocity(&mut self, sample: &PortSample<V>) -> V {
+        (**self).velocity(sample)
+    }
+
+    #[inline]
+    fn interrupt(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        (**self).interrupt(lanes);
+    }
+
+    #[inline]
+    fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        (**self).restart(lanes);
     }
 }

@@ -87,4 +87,6 @@ pub use signal::Signal;
 pub use snapshot::Snapshot;
 pub use stabilizer::{Stabilized, Stabilizer};
 pub use state::State;
+#[doc(hidden)]
+pub use velocity::careful;
 pub use velocity::{Differenced, LowPassed, VelocityEstimator, Windowed};

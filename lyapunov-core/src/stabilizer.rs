@@ -1,6 +1,6 @@
 //! Stabilizers: the trait, and a port with a stabilizer in front.
 
-use crate::{Correction, OnePort, ParameterError, PortSample, Requirement, Signal, Snapshot};
+use crate::{Correction, OnePort, ParameterError, PortSample, Signal, Snapshot};
 
 /// Stabilizer: it watches a port and corrects its effort, so that the loop stays bounded.
 ///
@@ -88,7 +88,7 @@ impl<V: Signal, P: OnePort<V>, S: Stabilizer<V>> OnePort<V> for Stabilized<P, S,
 }
 
 impl<P: Snapshot, S: Snapshot, V: Signal> Snapshot for Stabilized<P, S, V> {
-    /// The memory of the port, that of the stabilizer, and the last correction.
+    /// The memory of the port, that of the stabilizer, and the last correction: no step reads it, so it is taken as it is.
     type State = (P::State, S::State, Correction<V>);
 
     fn state(&self) -> Self::State {
@@ -96,10 +96,6 @@ impl<P: Snapshot, S: Snapshot, V: Signal> Snapshot for Stabilized<P, S, V> {
     }
 
     fn restored(self, (port, stabilizer, correction): Self::State) -> Result<Self, ParameterError> {
-        Requirement::Finite.check_axes("stored effort", correction.effort)?;
-        Requirement::Finite.check("stored energy", correction.observed_energy)?;
-        Requirement::NonNegative.check("stored alpha", correction.alpha)?;
-        Requirement::NonNegative.check("stored shortfall", correction.shortfall)?;
         let (port, stabilizer) = (self.port.restored(port)?, self.stabilizer.restored(stabilizer)?);
         Ok(Self { port, stabilizer, correction })
     }

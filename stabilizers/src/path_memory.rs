@@ -172,7 +172,8 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
         let accepted = sound & effort.finite() & most.finite();
         Correction {
             effort: T::choose(accepted, bounded, zero),
-            observed_energy: -self.debt,
+            // No debt is 0, and not −0.
+            observed_energy: zero - self.debt,
             alpha: zero,
             shortfall: self.debt,
             accepted,

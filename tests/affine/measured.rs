@@ -2,7 +2,7 @@
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
 use lyapunov::{
-    DampingLimit, Lolc, Observer, Plant, PortEnergy, Scalar, Stabilizer,
+    DampingLimit, Dissipation, Lolc, Observer, Plant, PortEnergy, Scalar, Stabilizer,
     integrators::RungeKutta4,
     models::{
         AffinePlant, MeasuredPlant, QuadraticForm, UprightEnergy, VanDerPol, WithState, decrease_of,
@@ -82,6 +82,34 @@ fn after_a_first_state_that_is_not_finite_the_next_begins() {
     assert_eq!((first.displacement, first.work), (none, none));
     let next = Vector2::new(0.11, 0.9);
     assert_eq!(port.tell(next, input), whole.tell(next, input));
+}
+
+/// A free mass of 1 kg in the well `(x² + v²) / 2`: the flow is its velocity. A damper of 0.5 N·s/m on it is credited with one
+/// period after a first state that was lost, and over a gap with no more than the mean flow dissipated.
+#[test]
+fn a_gap_earns_no_more_than_its_mean_flow() {
+    let (period, circle, lost) = (0.01, QuadraticForm::sum_of_squares(), f64::NAN);
+    let free = VanDerPol::new(0.0).expect("a plant");
+    let earned = |start: f64, told: &[f64]| {
+        let mut port =
+            MeasuredPlant::new(free, circle, period, Vector2::new(0.0, start)).expect("a port");
+        let mut observer = Observer::of((PortEnergy, Dissipation::of(0.5).expect("a damping")));
+        let mut energy = 0.0;
+        for &velocity in told {
+            let sample = port.tell(Vector2::new(0.0, velocity), Vector1::new(0.0));
+            energy = observer.observe(&sample, WithState::of_input(Vector1::new(0.0)));
+        }
+        energy
+    };
+    let lost_for_a_second = [&[lost; 100][..], &[1.0]].concat();
+    assert_abs_diff_eq!(earned(lost, &lost_for_a_second), 0.5 * 0.01, epsilon = 1e-15);
+    // From 0 to 1 m/s within two periods: 0.5 m/s in the mean.
+    assert_abs_diff_eq!(earned(0.0, &[lost, 1.0]), 0.5 * 0.25 * 0.02, epsilon = 1e-15);
+    // From 1 to 0.2 m/s: the last is the smaller one.
+    assert_abs_diff_eq!(earned(1.0, &[lost, 0.2]), 0.5 * 0.04 * 0.02, epsilon = 1e-15);
+    // From 1 to −0.2 m/s: 0.4 m/s in the mean, the other way.
+    assert_eq!(earned(1.0, &[lost, -0.2]), 0.0);
+    assert_abs_diff_eq!(earned(0.0, &[1.0]), 0.5 * 0.01, epsilon = 1e-15);
 }
 
 /// A mass of 1 kg in the well `(x² + v²) / 2` moves at −1 m/s; the efforts of the gap are told one by one.

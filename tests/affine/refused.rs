@@ -1,8 +1,9 @@
 //! Refusal of invalid parameters, by name.
 
 use lyapunov::{
-    ParameterError, Requirement,
+    ParameterError, Requirement, Scalar,
     integrators::RungeKutta4,
+    lanes::AutoF64x4,
     models::{
         AdmittanceDevice, AffinePlant, ArmEnergy, DcMotor, Decay, Ground, InvertedPendulum,
         LegEnergy, LyapunovFunction, MeasuredPlant, MotorEnergy, MotorParts, ProstheticLeg,
@@ -44,6 +45,21 @@ fn parameters_are_refused_by_name() {
     assert_eq!(name(stand([f64::INFINITY, 0.0], ground)), "posture");
     assert_eq!(name(stand([0.0; 2], Ground { drag: -1.0, ..ground })), "drag");
     assert_eq!(name(LegEnergy::new(leg::<f64>(), [0.0, 1.0])), "stiffness");
+}
+
+/// Each lane has a pendulum and a spring of its own: 4 and 9 N·m/rad to hold, 5 and 10 that hold them.
+#[test]
+fn a_lane_of_springs_is_refused_as_a_scalar_is() {
+    let lanes = |even: f64, odd: f64| AutoF64x4::from_lanes(|lane| [even, odd][lane % 2]);
+    // By `m g l` with 1 m.
+    let gravity = InvertedPendulum::new(1.0, 1.0, 0.0).expect("a pendulum").weight();
+    let masses = lanes(4.0 / gravity, 9.0 / gravity);
+    let pendulum = InvertedPendulum::new(masses, lanes(1.0, 1.0), lanes(0.0, 0.0));
+    let pendulum = pendulum.expect("a pendulum");
+    assert!(UprightEnergy::new(pendulum, lanes(5.0, 10.0)).is_ok());
+    let error = UprightEnergy::new(pendulum, lanes(5.0, 8.0)).expect_err("too soft");
+    assert_eq!((error.parameter, error.value), ("stiffness", 8.0));
+    assert!(UprightEnergy::new(pendulum, lanes(3.0, 10.0)).is_err());
 }
 
 /// The least curvature over all directions of `energy` in the posture, by second differences, with springs softer by `less`.

@@ -15,6 +15,13 @@ fn memory() -> PathMemory<f64, 64> {
     PathMemory::beyond(0.0, 64.0 * CELL).expect("a memory")
 }
 
+/// Without a debt the observed energy is 0, and not −0.
+#[test]
+fn no_debt_is_zero() {
+    let energy = memory().stabilize(&PortSample::starting(PERIOD, 0.0, 0.0), 1.0).observed_energy;
+    assert_eq!(format!("{energy:?}"), "0.0");
+}
+
 /// A cell a tick in and out again: a held spring takes `k x(n−1)` over a cell, and gives as much over the same one.
 #[test]
 fn a_held_spring_gives_what_it_took_cell_by_cell() {

@@ -3,7 +3,7 @@
 use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    HeldTick, PortEnergy, PortSample, Scalar, Stabilizer,
+    HeldTick, PortEnergy, PortSample, Scalar, Snapshot, Stabilizer,
     stabilizers::{EnergyTank, Valve},
     stabilizers::{Tank, TankLimits},
 };
@@ -12,6 +12,15 @@ use crate::support::{Dice, PERIOD};
 use crate::worked::near;
 
 const STORE: TankLimits<f64> = TankLimits { start: 2e-3, floor: 5e-4, ceiling: 3e-3, power: 0.5 };
+
+/// A tank with a bounded valve holds no more than its ceiling, whatever was stored; the published one goes on overfull.
+#[test]
+fn what_is_stored_above_the_ceiling_is_forfeited() {
+    let tank = EnergyTank::new(STORE).expect("a tank");
+    let restored = |energy| tank.restored(energy).expect("an energy").energy();
+    assert_eq!([1.0, 2e-3, 1e-4].map(restored), [3e-3, 2e-3, 1e-4]);
+    assert_eq!(tank.opening().restored(1.0).expect("an energy").energy(), 1.0);
+}
 
 #[test]
 fn follows_its_recursion() {

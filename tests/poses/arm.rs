@@ -6,7 +6,7 @@ use lyapunov::{
     models::{ArmLink, ControlAffine, RigidLink, SerialArm, TwoLinkArm},
     poses::{Pose, Screw},
 };
-use nalgebra::{Matrix3, SVector, Vector2, Vector3, Vector4};
+use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector2, Vector3, Vector4};
 
 use crate::support::Dice;
 
@@ -158,6 +158,21 @@ fn what_is_no_arm_is_refused() {
     assert_eq!(refused(ArmLink { centre: Vector3::zeros(), ..link }), "pivot of the inertia");
     let lost = Vector3::new(f64::NAN, 0.0, 0.0);
     assert_eq!(refused(ArmLink { centre: lost, ..link }), "centre or inertia");
+    // A matrix from one triangle would not be the one whose entries make torques.
+    let mut skew = Matrix3::identity();
+    skew[(2, 0)] = 0.1;
+    assert_eq!(refused(ArmLink { inertia: skew, ..link }), "inertia less its transpose");
+    skew[(0, 2)] = 0.1;
+    assert!(SerialArm::new([ArmLink { inertia: skew, ..link }], tool).is_ok());
+    let held = |tool| SerialArm::new([link], tool).expect_err("refused").parameter;
+    assert_eq!(held(Pose::at(lost)), "tool");
+    let turned = |w: f64| {
+        let quaternion = nalgebra::Quaternion::new(w, 0.0, 0.0, 0.0);
+        Pose::new(Vector3::zeros(), UnitQuaternion::new_unchecked(quaternion))
+    };
+    assert_eq!(held(turned(f64::NAN)), "tool");
+    assert_eq!([held(turned(0.0)), held(turned(1e200))], ["tool's orientation"; 2]);
+    assert!(SerialArm::new([link], turned(2.0)).is_ok());
     let whole = lyapunov::models::ArmPosture::jacobian(
         &SerialArm::new([link], tool).expect("an arm").at(SVector::<f64, 1>::zeros()),
     );

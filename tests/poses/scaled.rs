@@ -24,7 +24,7 @@ fn a_change_of_scale_is_work() {
             if tick == STEPS {
                 let motion = Kinematics::at(position, 0.0);
                 let before = port.stored(&motion);
-                port.rescale(released).expect("a scale");
+                port.set_scale(released).expect("a scale");
                 let work = port.stored(&motion) - before;
                 let stored = 0.5 * stiffness * deep * deep;
                 assert!((work - (released - pressed) * stored).abs() < 1e-9);
@@ -78,7 +78,7 @@ fn what_a_change_gives_is_taken_back() {
             .sample();
             // A knob is turned up on the way out.
             if position > 0.0 && position < deepest {
-                port.rescale(3.0).expect("a scale");
+                port.set_scale(3.0).expect("a scale");
             }
             deepest = deepest.max(position);
             applied = popc.stabilize(&sample, port.respond(&sample)).effort;
@@ -114,7 +114,7 @@ fn what_is_no_scale_is_refused_and_changes_nothing() {
     let mut port = Spring::<f64>::new(100.0).expect("a spring").scaled(2.0).expect("a scale");
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
         assert!(Spring::<f64>::new(1.0).expect("a spring").scaled(bad).is_err());
-        let refused = port.rescale(bad).expect_err("refused").to_string();
+        let refused = port.set_scale(bad).expect_err("refused").to_string();
         assert!(refused.starts_with("feedback scale is"), "{refused}");
     }
     assert_eq!(port.respond(&PortSample::starting(1e-3, 0.01, 0.0)), 2.0);

@@ -194,6 +194,11 @@ fn wrong_windows_are_refused() {
         let error = spring.windowed::<4>(ticks, 0.0).expect_err("wrong ticks");
         assert_eq!((error.parameter, error.value), ("window ticks", ticks as f64));
     }
+    let least = "ticks is 0.0; it must be at least 1.0 and finite";
+    let none = spring.windowed::<4>(0, 0.0).expect_err("no ticks").to_string();
+    assert_eq!(none, format!("window {least}"));
+    let none = OnePortExt::<f64>::held(spring, 0).expect_err("no ticks").to_string();
+    assert_eq!(none, format!("hold {least}"));
     for band in [-1e-9, f64::NAN, f64::INFINITY] {
         let error = spring.windowed::<4>(4, band).expect_err("a wrong band");
         assert_eq!(error.parameter, "window band");

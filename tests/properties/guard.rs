@@ -6,7 +6,7 @@ use proptest::prop_assert;
 use proptest::test_runner::TestCaseResult;
 
 use lyapunov::{
-    DampingLimit, Lolc, OnePort, Plant, PortEnergy, PortSample, Scalar,
+    DampingLimit, Dissipation, HeldTick, Lolc, OnePort, Plant, PortEnergy, PortSample, Scalar,
     bodies::{Body, Impedance},
     effects::{Fallback, OnePortExt},
     environments::Spring,
@@ -142,6 +142,40 @@ fn spans<V: Port>(rows: &[Row<V>], asked: &[PortSample<V>], period: V::Scalar) -
     Ok(())
 }
 
+/// The first sample that the spring received has the periods and the motion that are known until then, and is no faster than
+/// either its own velocity or that motion.
+fn begins<V: Port>(rows: &[Row<V>], asked: &[PortSample<V>]) -> TestCaseResult {
+    let (Some(first), Some(tick)) = (asked.first(), rows.iter().position(|row| row.sound)) else {
+        return Ok(());
+    };
+    let measured = rows[tick].sample;
+    if tick == 0 {
+        prop_assert!(*first == measured, "a first sound sample was changed");
+        return Ok(());
+    }
+    let before = || rows[..tick].iter().map(|row| row.told);
+    let timed =
+        before().map(|told| told.period.f64()).filter(|time| time.is_finite() && *time > 0.0);
+    let (time, rounding) = (timed.sum::<f64>() + measured.period.f64(), V::Scalar::unit());
+    let off = first.period.f64() - time;
+    prop_assert!(off.abs() <= 2.0 * rounding * TICKS as f64 * time, "{off:e} s");
+    let known = || before().filter(|told| told.work.all_finite() && told.displacement.all_finite());
+    for axis in 0..V::AXES {
+        let moved: f64 = known().map(|told| told.displacement.axis(axis).f64()).sum();
+        let size: f64 = known().map(|told| told.displacement.axis(axis).f64().abs()).sum();
+        let way = measured.displacement.axis(axis).f64();
+        let bound = 2.0 * rounding * TICKS as f64 * (size + way.abs());
+        let off = first.displacement.axis(axis).f64() - (moved + way);
+        prop_assert!(off.abs() <= bound, "{off:e} m");
+        let (told, now) = (first.velocity.axis(axis).f64(), measured.velocity.axis(axis).f64());
+        let mean = (moved + way) / time;
+        let most = mean.abs() + 2.0 * bound / time;
+        prop_assert!(told.abs() <= now.abs().min(most), "{told} for {mean} and {now}");
+        prop_assert!(told * now >= 0.0, "{told} turned from {now}");
+    }
+    Ok(())
+}
+
 /// Whether no axis reversed between the sound samples around each gap.
 fn monotone<V: Port>(rows: &[Row<V>]) -> bool {
     let one_way = |part: &[Row<V>]| {
@@ -186,7 +220,25 @@ fn laws<V: Port>(scene: &Scene<V>, bad: impl Fn(usize) -> bool) -> TestCaseResul
     let (rows, asked) = scene.run(bad);
     answers(&rows, scene.fallback)?;
     spans(&rows, &asked, scene.period)?;
+    begins(&rows, &asked)?;
     ledger(&rows, scene.fallback)
+}
+
+/// A second without positions ahead of 1 mm in 1 ms credits a damper of 0.6 N·s/m with the 0.6 mJ of that millisecond at most.
+#[test]
+fn a_gap_before_the_first_sound_sample_earns_nothing() {
+    let body = (PortEnergy, Dissipation::of(0.6).expect("a damping"));
+    let limit = DampingLimit::at(1.0).expect("a limit");
+    let spring = Spring::new(0.0_f64).expect("a spring");
+    let mut port = spring.stabilized(Lolc::new(body, limit)).guarded(Fallback::Zero);
+    for _ in 0..1000 {
+        port.respond(&PortSample::starting(1e-3, f64::NAN, 1.0));
+    }
+    let tick =
+        HeldTick { period: 1e-3, position: 0.0, velocity: 1.0, displacement: 1e-3, applied: 0.0 };
+    port.respond(&tick.sample());
+    let credit = port.correction().observed_energy;
+    assert!((0.0..=0.6e-3).contains(&credit), "{credit} J");
 }
 
 mod check {

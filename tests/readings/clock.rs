@@ -22,7 +22,7 @@ fn told(times: &[f64]) -> Vec<(f64, bool)> {
 
 #[test]
 fn times_count_as_they_are_defined_to() {
-    let table: [Case; 10] = [
+    let table: [Case; 12] = [
         ("in time", &[70.0, 71.0, 72.0], &[(1.0, true), (1.0, true), (1.0, true)]),
         ("late, then early", &[0.0, 3.0, 3.5], &[(1.0, true), (3.0, true), (0.5, true)]),
         ("NaN", &[5.0, f64::NAN, 7.0], &[(1.0, true), (1.0, false), (1.0, true)]),
@@ -41,6 +41,16 @@ fn times_count_as_they_are_defined_to() {
             "standing longer than it goes on",
             &[4.0, 4.0, 4.0, 5.0, 6.0],
             &[(1.0, true), (1.0, false), (1.0, false), (1.0, false), (1.0, true)],
+        ),
+        (
+            "hardly farther than was counted",
+            &[4.0, 4.0, 5.001, 6.001],
+            &[(1.0, true), (1.0, false), (1.0, false), (1.0, true)],
+        ),
+        (
+            "a little farther than was counted",
+            &[4.0, 4.0, 5.75, 6.0],
+            &[(1.0, true), (1.0, false), (0.75, true), (0.25, true)],
         ),
         ("set back", &[900.0, 2.0, 3.0], &[(1.0, true), (1.0, false), (1.0, true)]),
         ("NaN at first", &[f64::NAN, 8.0, 9.0], &[(1.0, false), (1.0, true), (1.0, true)]),
@@ -66,6 +76,30 @@ fn a_coarse_clock_keeps_time() {
     let told = told(&times);
     assert_eq!(told.iter().map(|(period, _)| period).sum::<f64>(), 300.0);
     assert!(told.iter().enumerate().all(|(tick, (_, timed))| *timed == (tick % 10 == 0)));
+}
+
+/// A motion of 0.1 mm a tick is 0.1 m/s, also where the clock goes on a microsecond after what was counted while it stood.
+#[test]
+fn a_clock_that_stood_makes_no_speed() {
+    let mut readings = lyapunov::Readings::<f64>::every(1e-3).expect("a period").clocked();
+    readings.read_at(0.004, reading(0.0, 0.0));
+    for (now, position) in [(0.004, 1e-4), (0.005_001, 2e-4), (0.006_001, 3e-4)] {
+        let velocity = readings.read_at(now, reading(position, 0.0)).sample.velocity;
+        assert!((velocity - 0.1).abs() < 1e-9, "{velocity} m/s at {now} s");
+    }
+}
+
+/// A clock of 0.7 periods and one of 1.4, both too coarse for good, are heard again and again, and no time is lost.
+#[test]
+fn a_coarse_clock_is_heard_for_good() {
+    for grain in [0.7, 1.4] {
+        let times: Vec<f64> =
+            (0..300).map(|tick| (f64::from(tick) / grain).floor() * grain).collect();
+        let told = told(&times);
+        let sum: f64 = told[1..].iter().map(|(period, _)| period).sum();
+        assert!(sum >= times[299] - times[0], "{sum} periods");
+        assert!(told.windows(8).all(|eight| eight.iter().any(|(_, timed)| *timed)), "{grain}");
+    }
 }
 
 /// A tick is late from one and a half periods on.

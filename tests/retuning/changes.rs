@@ -128,6 +128,38 @@ fn a_candidate_changes_from_the_next_tick_on() {
     assert_eq!(sum(&mut lolc), once + 4.0 * once);
 }
 
+/// 0.5 m/s is 0.5 m/s at the new period, over a window that holds positions of the old one: before the change, with it, after
+/// a reading that is lost, and in a memory that was stored in between.
+#[test]
+fn a_window_begins_anew_at_another_period() {
+    let fresh = lyapunov::Readings::<f64>::every(PERIOD).expect("a period");
+    let mut readings = fresh.windowed::<16>(16, 1e-2).expect("a window");
+    let (mut position, mut period) = (0.0, PERIOD);
+    for tick in 0..60 {
+        if tick % 20 == 19 {
+            period *= 0.5;
+            readings.set_period(period).expect("a period");
+            readings.set_period(period).expect("the same");
+            readings = readings.restored(readings.state()).expect("its own memory");
+        }
+        position += 0.5 * period;
+        let told = if tick == 39 { f64::NAN } else { position };
+        let checked = readings.read(lyapunov::Reading { position: told, applied: 0.0 });
+        let right = tick == 0 || tick == 39 || (checked.sample.velocity - 0.5).abs() < 1e-9;
+        assert!(right, "{} m/s on tick {tick}", checked.sample.velocity);
+    }
+    // The same period leaves the window as it is: 16 readings of 1 mm/s and one of 0.1 m/s.
+    let mut readings = fresh.windowed::<16>(16, 1e-2).expect("a window");
+    for tick in 0..20 {
+        readings
+            .read(lyapunov::Reading { position: 1e-3 * PERIOD * f64::from(tick), applied: 0.0 });
+    }
+    readings.set_period(PERIOD).expect("a period");
+    let position = 1e-3 * PERIOD * 19.0 + 0.1 * PERIOD;
+    let velocity = readings.read(lyapunov::Reading { position, applied: 0.0 }).sample.velocity;
+    assert!((velocity - (15.0 * 1e-3 + 0.1) / 16.0).abs() < 1e-9, "{velocity} m/s");
+}
+
 /// A loop that changes its period: work stays exact, and the limit made anew is the share of the new `m / T`.
 #[test]
 fn a_period_may_change() {
@@ -279,7 +311,7 @@ fn what_is_read_is_what_was_set() {
     assert!(slow.set_velocity(1e200).is_err() && slow.set_velocity(-1.0).is_err());
     assert_eq!(slow.velocity(), 0.05);
     let mut spread = popc.spread_over::<f64>(4).expect("one");
-    assert!(spread.set_ticks(0).is_err() && spread.ticks() == 4.0);
+    assert!(spread.set_ticks(0).is_err() && spread.ticks() == 4);
     let mut filter = LeastNorm::new(PortEnergy, limit(), 0.5).expect("one");
     assert!(filter.set_decay(1.5).is_err() && filter.decay() == 0.5);
     let mut slope = SlopeBound::<f64>::new(1e3).expect("one");

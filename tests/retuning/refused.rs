@@ -1,13 +1,15 @@
 //! States and changes that are refused.
 
 use lyapunov::{
-    PortEnergy, Snapshot,
+    Correction, OnePort, PortEnergy, PortSample, Snapshot,
     accumulators::{Compensated, Plain, Wide},
     candidates::InContact,
+    environments::Spring,
     stabilizers::{
-        Account, ForceBounding, PathMemory, SlopeBound, StabilizerExt, TwoLayer, WatchdogTimes,
-        WindowedCredit,
+        Account, ForceBounding, NoStabilizer, PathMemory, SlopeBound, StabilizerExt, TwoLayer,
+        WatchdogTimes, WindowedCredit,
     },
+    telemetry::EnergyMeter,
 };
 
 use super::support::popc;
@@ -70,6 +72,31 @@ fn energies_and_forces_out_of_range_are_refused() {
     let sharing = lyapunov::stabilizers::Sharing { start: 0.0, share: 0.1 };
     let layer = TwoLayer::<f64>::slave(sharing).expect("one");
     assert!(layer.restored((0.0, -1.0, 0.0, 0.0)).is_err());
+}
+
+/// What a part wrote itself is taken: a NaN that went through it spoils nothing later.
+#[test]
+fn a_memory_that_was_written_is_taken() {
+    let unknown = PortSample::starting(1e-3, f64::NAN, 0.0);
+    let sound = PortSample::starting(1e-3, 0.01, 0.0);
+    let made = || Spring::new(500.0_f64).expect("a spring").stabilized(NoStabilizer);
+    let mut port = made();
+    assert!(port.respond(&unknown).is_nan());
+    let mut again = made().restored(port.state()).expect("its own memory");
+    assert!(OnePort::<f64>::correction(&again).effort.is_nan());
+    assert_eq!(again.respond(&sound), 5.0);
+
+    let mut meter = EnergyMeter::<f64>::new();
+    for energy in [-3.0, f64::NAN] {
+        meter.add(&sound, &Correction { observed_energy: energy, ..Correction::none(0.0) });
+    }
+    let mut again = EnergyMeter::new().restored(meter.state()).expect("its own memory");
+    again.add(&sound, &Correction { observed_energy: 2.0, ..Correction::none(0.0) });
+    let summary = again.summary();
+    assert_eq!((summary.now, summary.least, summary.most), (2.0, -3.0, 2.0));
+    let (ticks, sums, mut last) = meter.state();
+    last[1] = f64::NEG_INFINITY;
+    assert!(meter.restored((ticks, sums, last)).is_err());
 }
 
 /// A refused change leaves everything as it was.

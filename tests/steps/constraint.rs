@@ -42,6 +42,17 @@ fn large_numbers_are_feasible() {
     }
 }
 
+/// An input that is not known meets nothing, whether the constraint asks for something or not.
+#[test]
+fn an_unknown_wish_is_not_feasible() {
+    for wished in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for (drift, gain) in [(1.0, 2.0), (-1.0, 2.0), (-1.0, 0.0), (0.0, 1.0)] {
+            let input = Constraint { drift, gain }.filter(wished, 1.0).expect("weights");
+            assert!(!input.feasible, "{drift} + {gain} · {wished}: {}", input.input);
+        }
+    }
+}
+
 /// `u = w − max(0, a + b · w) R⁻¹ b / (b · R⁻¹ b)`, in whole numbers, and the name of what is refused.
 #[test]
 fn a_cheap_axis_is_changed_more() {

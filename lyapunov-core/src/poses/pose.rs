@@ -128,3 +128,7 @@ crate::signal_of_parts! {
     #[inline(always)]
     impl[T: Scalar] Pose<T>, in T, of position, quaternion => Self { position, quaternion };
 }
+
+// Numbers are compared, not orientations: `q` and `−q` are apart.
+#[cfg(feature = "approx")]
+crate::approximate!(impl[T: Scalar] Pose<T>, of T { position, quaternion });

@@ -16,10 +16,13 @@ pub struct Steady;
 /// | time of a reading | counts as | the clock is taken to have gone on |
 /// |---|---|---|
 /// | the first one | a period | from there |
-/// | later than where the clock was taken to be | the time between | from there |
+/// | later than where the clock was taken to be, by more than half a period if it stood before | the time between | from there |
 /// | NaN or infinite | a period | by a period |
 /// | the same as the last, as of a clock too coarse | a period | by a period |
-/// | any other: a clock set back, a counter that overflowed, less than was counted while it stood | a period | from there |
+/// | any other: a clock set back, a counter that overflowed, hardly more or less than was counted while it stood | a period | from there |
+///
+/// A clock that stood goes on by the rest of what was counted for it, which may be arbitrarily short: as a time between readings it
+/// would make a velocity without a bound of any motion.
 ///
 /// ```
 /// use lyapunov_core::{Reading, Readings};
@@ -64,7 +67,8 @@ impl Clocked {
             return (period, self.last.is_some());
         };
         let elapsed = T::of(now - reached);
-        let forth = now > reached && elapsed.lane(0) > 0.0 && elapsed.lane(0).is_finite();
+        let least = if reached > told { 0.5 * period.lane(0) } else { 0.0 };
+        let forth = now > reached && elapsed.lane(0) > least && elapsed.lane(0).is_finite();
         let stands = now == told || !now.is_finite();
         let told = if now.is_finite() { now } else { told };
         let reached = if stands { reached + period.lane(0) } else { now };

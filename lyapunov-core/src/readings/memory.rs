@@ -1,12 +1,14 @@
 //! What is remembered from reading to reading.
 
 use super::{CheckedSample, Reading, Track, one_and_a_half};
+use crate::velocity::careful;
 use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// The last accepted position, and the time and the efforts since then.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Memory<V: Signal> {
-    /// Where a position is known is a 1, elsewhere a 0: numbers alone have no padding, and every pattern of bits is one.
+    /// Where a position is known is a 1, or a 2 if the next reading is the first at another period, and elsewhere a 0: numbers
+    /// alone have no padding, and every pattern of bits is one.
     known: V::Scalar,
     position: V,
     /// Time since the last accepted reading, s; 0 unless some were rejected.
@@ -55,12 +57,7 @@ impl<V: Signal> Heard<V> {
         let zero = V::Scalar::of(0.0);
         // Of the very numbers that a backward difference divides, so that it is not divided twice.
         velocity.zip(self.motion().displacement, |told, moved| {
-            let mean = moved / self.span;
-            let slower = mean.magnitude().below(told.magnitude());
-            let turned = (mean * told).below(zero);
-            let careful = V::Scalar::choose(slower, mean, told);
-            let careful = V::Scalar::choose(turned, zero, careful);
-            let velocity = V::Scalar::choose(self.late, careful, told);
+            let velocity = V::Scalar::choose(self.late, careful(told, moved / self.span), told);
             V::Scalar::choose(velocity.finite(), velocity, zero)
         })
     }
@@ -80,6 +77,17 @@ impl<V: Signal> Memory<V> {
     #[inline(always)]
     fn known(&self) -> <V::Scalar as Scalar>::Mask {
         self.known.above(V::Scalar::of(0.5))
+    }
+
+    /// Notes that from the next reading on the period is another one in these `lanes`.
+    pub(super) fn space_anew(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        self.known = V::Scalar::choose(lanes & self.known(), V::Scalar::of(2.0), self.known);
+    }
+
+    /// Where the next reading is the first at another period.
+    #[inline(always)]
+    pub(super) fn spaced_anew(&self) -> <V::Scalar as Scalar>::Mask {
+        self.known.above(V::Scalar::of(1.5))
     }
 
     pub(super) fn restart(&mut self) {
@@ -179,8 +187,10 @@ impl<V: Signal> Snapshot for Memory<V> {
         Requirement::NonNegative.check("stored gap", gap)?;
         Requirement::Finite.check_axes("stored effort", least)?;
         Requirement::Finite.check_axes("stored effort", most)?;
-        let known = known.above(V::Scalar::of(0.5));
-        let known = V::Scalar::choose(known, V::Scalar::of(1.0), V::Scalar::of(0.0));
+        let [zero, one, two] = [0.0, 1.0, 2.0].map(V::Scalar::of);
+        let anew = known.above(V::Scalar::of(1.5));
+        let known = V::Scalar::choose(known.above(V::Scalar::of(0.5)), one, zero);
+        let known = V::Scalar::choose(anew, two, known);
         Ok(Self { known, position, gap, least, most })
     }
 }

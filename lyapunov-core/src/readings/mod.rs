@@ -208,12 +208,15 @@ impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
 
     /// Changes the period, s, between two ticks: the reading after it is at the new one.
     ///
-    /// Held work does not change with it. A `DampingLimit` made of a mass does: make it anew.
+    /// Held work does not change with it, and an estimator of velocities is told of it as of a missed tick: a [`Windowed`] one
+    /// begins anew, since its positions are counted in ticks. A `DampingLimit` made of a mass does: make it anew.
     ///
     /// # Errors
     /// `period` not above 0 and finite; the old one stays.
     pub fn set_period(&mut self, period: V::Scalar) -> Result<(), ParameterError> {
-        self.period = Requirement::Positive.check("period", period)?;
+        let period = Requirement::Positive.check("period", period)?;
+        self.memory.space_anew(period.above(self.period) | period.below(self.period));
+        self.period = period;
         Ok(())
     }
 
@@ -273,7 +276,7 @@ impl<V: Signal, E: VelocityEstimator<V>, C, P: Track<V>> Readings<V, E, C, P> {
             self.velocity.restart(heard.first);
         }
         // A tick that was called and had no reading was told to the estimator then.
-        let skipped = elapsed.above(one_and_a_half(self.period));
+        let skipped = elapsed.above(one_and_a_half(self.period)) | self.memory.spaced_anew();
         if skipped.any() {
             self.velocity.interrupt(skipped);
         }
@@ -308,7 +311,8 @@ impl<V: Signal, C, P: Track<V>> Readings<V, Measured, C, P> {
     }
 }
 
-/// The memory of a loop that goes on. After a pause of unknown length [`restart`](Readings::restart) what was restored.
+/// The memory of a loop that goes on, at the period that it had. After a pause of unknown length [`restart`](Readings::restart)
+/// what was restored.
 impl<V, E, C, P> Snapshot for Readings<V, E, C, P>
 where
     V: Signal,

@@ -152,7 +152,7 @@ impl<T: Scalar> Default for EnergyMeter<T> {
 
 impl<T: Scalar> Snapshot for EnergyMeter<T> {
     /// Ticks; the compensated sums of active and rejected ticks, of the energy asked for and absorbed; now, least, most,
-    /// shortfall and the largest shortfall.
+    /// shortfall and the largest shortfall. An energy may be NaN.
     type State = (u64, [(T, T); 4], [T; 5]);
 
     fn state(&self) -> Self::State {
@@ -163,7 +163,7 @@ impl<T: Scalar> Snapshot for EnergyMeter<T> {
 
     fn restored(self, (ticks, sums, last): Self::State) -> Result<Self, ParameterError> {
         for energy in last {
-            Requirement::Finite.check("stored energy", energy)?;
+            Requirement::Finite.check_known("stored energy", energy)?;
         }
         let [now, least, most, shortfall, largest_shortfall] = last;
         let [active, rejected, asked, absorbed] = sums;

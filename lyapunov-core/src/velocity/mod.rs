@@ -10,6 +10,19 @@ pub use windowed::Windowed;
 
 use crate::{PortSample, Scalar, Signal};
 
+/// The velocity that is booked over a gap, m/s: of the one `told` and the `mean` over the gap the smaller in magnitude, and 0
+/// where their directions differ, so that no damper is credited with more than the mean motion dissipated.
+///
+/// For the crates of this library: each keeps gaps of its own.
+#[doc(hidden)]
+#[inline(always)]
+pub fn careful<T: Scalar>(told: T, mean: T) -> T {
+    let zero = T::of(0.0);
+    let slower = mean.magnitude().below(told.magnitude());
+    let turned = (mean * told).below(zero);
+    T::choose(turned, zero, T::choose(slower, mean, told))
+}
+
 /// Velocity estimator: it takes a velocity from the positions and displacements that it is told.
 ///
 /// [`Readings`](crate::Readings) and the adaptors of a port estimate by the same three: [`Differenced`],
@@ -51,4 +64,21 @@ pub trait VelocityEstimator<V: Signal> {
 
     /// Forgets in these `lanes` what it was told: the next sample is the first, which displaces nothing.
     fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask);
+}
+
+impl<V: Signal, E: VelocityEstimator<V> + ?Sized> VelocityEstimator<V> for &mut E {
+    #[inline(always)]
+    fn velocity(&mut self, sample: &PortSample<V>) -> V {
+        (**self).velocity(sample)
+    }
+
+    #[inline(always)]
+    fn interrupt(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        (**self).interrupt(lanes);
+    }
+
+    #[inline(always)]
+    fn restart(&mut self, lanes: <V::Scalar as Scalar>::Mask) {
+        (**self).restart(lanes);
+    }
 }

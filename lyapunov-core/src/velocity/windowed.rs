@@ -48,7 +48,7 @@ impl<V: Signal, const N: usize> Windowed<V, N> {
     /// # Errors
     /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
     pub fn new(ticks: usize, band: V::Scalar) -> Result<Self, ParameterError> {
-        Requirement::Positive.check("window ticks", ticks as f64)?;
+        Requirement::AtLeast(1.0).check("window ticks", ticks as f64)?;
         Requirement::AtMost(N as f64).check("window ticks", ticks as f64)?;
         let band = Requirement::NonNegative.check("window band", band)?;
         Ok(Self { ticks, band, past: [V::zero(); N], known: 0 })

@@ -1,6 +1,8 @@
 //! Port of a real plant, from measurements of its state.
 
-use lyapunov_core::{LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{
+    LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal, careful,
+};
 use nalgebra::SVector;
 
 use crate::{ControlAffine, WithState};
@@ -14,8 +16,10 @@ use crate::{ControlAffine, WithState};
 /// A state or an input that is not finite goes into its sample as it is, with a work of NaN, for the stabilizer to reject
 /// and to book nothing. The next sound one spans the gap: its work is `−u ∫ y dt` if one input was held, and with several
 /// the least of that over all of them, input by input. That is a lower bound where the flow did not turn round within the
-/// gap, up to the error of the rule over the whole of it. An input that is not finite counts as one of those before it. Where
-/// the state at the start is not finite, the first sound sample starts anew, without displacement and work.
+/// gap, up to the error of the rule over the whole of it. An input that is not finite counts as one of those before it. Its
+/// velocity is, input by input, the smaller in magnitude of the flow and the mean `∫ y dt / t` over the gap, and 0 where their
+/// directions differ, so that no damper is credited with more than the mean dissipated. Where the state at the start is not
+/// finite, the first sound sample starts anew, without displacement and work and over one period.
 ///
 /// ```
 /// use lyapunov_core::ParameterError;
@@ -88,15 +92,18 @@ where
         let at = WithState { input: before.input + integral, state };
         let sound = at.finite() & flow.finite() & input.finite();
         let (least, most) = self.efforts(-input);
+        let mean = flow.zip(integral, |flow, moved| careful(flow, moved / gap));
+        let late = sound & self.gap.above(T::of(0.0));
+        let velocity = Signal::choose(late, mean, flow);
         let work = least.times(integral).zip(most.times(integral), Scalar::smaller);
         self.at = WithState::choose(sound, at, self.at);
         self.flow = Signal::choose(sound, flow, self.flow);
-        self.gap = T::choose(sound, T::of(0.0), gap);
+        self.gap = T::choose(sound | !known, T::of(0.0), gap);
         (self.least, self.most) = (least, most);
         PortSample {
             period: T::choose(sound, gap, self.period),
             position: at,
-            velocity: WithState::of_input(flow),
+            velocity: WithState::of_input(velocity),
             displacement: at - before,
             applied: WithState::of_input(-input),
             work: WithState::choose(

@@ -1,25 +1,26 @@
 //! Rejection of bad samples in front of a port.
 
 use lyapunov_core::{
-    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, careful,
 };
 
 use crate::Fallback;
 
 /// A port that receives only finite samples over a time above 0 and answers only with finite efforts.
 ///
-/// A sample with a NaN or an infinity in any field, or a period that is not above 0, is rejected before anything inside changes; the answer is the
-/// [`Fallback`], and the correction has `accepted: false`, that effort and no damping. The next sound sample that
-/// reaches the port spans the gap: the periods add up, and the displacement is the difference of the two sound
-/// positions.
+/// A sample with a NaN or an infinity in any field, or a period that is not above 0, is rejected before anything inside
+/// changes; the answer is the [`Fallback`], and the correction has `accepted: false`, that effort and no damping. The next
+/// sound sample that reaches the port spans the gap: the periods add up, and the displacement is the difference of the two
+/// sound positions.
 ///
 /// **A ledger of held work never overstates what was absorbed meanwhile.** The work of known ticks is kept. Over the
 /// unknown part `S` of the displacement, the work is taken to be the least of `f S` over the efforts `f` that applied
 /// there, axis by axis: exact if one effort applied throughout (as under [`Fallback::Hold`]), a lower bound if the
 /// motion did not reverse within the gap. The velocity passed on is, axis by axis, the smaller in magnitude of the
 /// measured one and the mean over the gap, and 0 where their directions disagree, so that no damper is credited with
-/// more than the mean motion dissipated and no correction pushes along the motion. Before the first sound sample there
-/// is no position to count from: the unknown part until then is not booked.
+/// more than the mean motion dissipated and no correction pushes along the motion. An estimator of velocities inside would put its
+/// own in that place: it stands outside, `port.guarded(fallback).low_passed(cutoff)?`. Before the first sound sample there
+/// is no position to count from: the unknown part until then is not booked, and the mean is that of the known part.
 ///
 /// A gap is a length of time, and different gaps would put lanes out of step, so a guard stands on ports of one value
 /// at a time (`f32`, `f64` and vectors of them).
@@ -128,21 +129,17 @@ where
     fn span(&self, now: &PortSample<V>, gap: &Gap<V>) -> PortSample<V> {
         let period = gap.period + now.period;
         let known = gap.work + now.work;
-        let Some(position) = self.position else {
-            let displacement = gap.moved + now.displacement;
-            return PortSample { period, displacement, work: known, ..*now };
+        let (displacement, unseen) = match self.position {
+            Some(position) => {
+                let whole = now.position - position;
+                (whole, whole - gap.moved - now.displacement)
+            }
+            None => (gap.moved + now.displacement, V::zero()),
         };
-        let displacement = now.position - position;
-        let unseen = displacement - gap.moved - now.displacement;
         let (least, most) = gap.unknown.unwrap_or((V::zero(), V::zero()));
         let unseen_work = least.times(unseen).zip(most.times(unseen), Scalar::smaller);
-        let velocity = now.velocity.zip(displacement, |measured, moved| {
-            let mean = moved / period;
-            let slower = mean.magnitude().below(measured.magnitude());
-            let turned = (mean * measured).below(V::Scalar::of(0.0));
-            let careful = V::Scalar::choose(slower, mean, measured);
-            V::Scalar::choose(turned, V::Scalar::of(0.0), careful)
-        });
+        let velocity =
+            now.velocity.zip(displacement, |measured, moved| careful(measured, moved / period));
         PortSample { period, velocity, displacement, work: known + unseen_work, ..*now }
     }
 }

@@ -114,7 +114,10 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
         Dropout::new(self, probability, fallback, seed)
     }
 
-    /// Rejects samples that are not finite before anything inside changes.
+    /// Rejects samples that are not finite, or whose period is not above 0, before anything inside changes.
+    ///
+    /// Estimators of velocities stand outside, `port.guarded(fallback).low_passed(cutoff)?`: one inside would replace the careful
+    /// velocity that the [`Guard`] gives after a gap.
     fn guarded(self, fallback: Fallback) -> Guard<Self, V> {
         Guard::new(self, fallback)
     }

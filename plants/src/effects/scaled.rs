@@ -22,7 +22,7 @@ use crate::{ForceLaw, Kinematics};
 /// let mut port = Spring::new(1000.0)?.scaled(0.5)?;
 /// let pressed = PortSample::starting(1e-3, 0.01, 0.0);
 /// assert_eq!(port.respond(&pressed), 5.0);
-/// port.rescale(1.0)?;
+/// port.set_scale(1.0)?;
 /// assert_eq!(port.respond(&pressed), 10.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
@@ -44,12 +44,12 @@ impl<P, T: Scalar> Scaled<P, T> {
         self.scale
     }
 
-    /// Sets another scale, from the next effort on.
+    /// Changes the scale between two ticks, from the next effort on.
     ///
     /// # Errors
-    /// `scale` below 0, infinite or NaN; the scale then stays what it was.
+    /// `scale` below 0, infinite or NaN; the old one stays.
     #[inline]
-    pub fn rescale(&mut self, scale: T) -> Result<(), ParameterError> {
+    pub fn set_scale(&mut self, scale: T) -> Result<(), ParameterError> {
         self.scale = Self::checked(scale)?;
         Ok(())
     }

@@ -46,7 +46,7 @@ impl<V: Signal> Missed<V> {
 
 impl<P, V: Signal> ZeroOrderHold<P, V> {
     pub(crate) fn new(port: P, ticks: u32) -> Result<Self, ParameterError> {
-        Requirement::Positive.check("hold ticks", f64::from(ticks))?;
+        Requirement::AtLeast(1.0).check("hold ticks", f64::from(ticks))?;
         Ok(Self { port, ticks, left: 0, missed: Missed::nothing(), effort: V::zero() })
     }
 

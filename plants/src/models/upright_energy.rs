@@ -22,10 +22,12 @@ impl<T: Scalar> UprightEnergy<T> {
     /// The energy of `pendulum` on a spring of `stiffness`, N·m/rad.
     ///
     /// # Errors
-    /// `stiffness` in any lane below the largest `m g l` of all lanes, infinite or NaN.
+    /// `stiffness` in some lane below that lane's `m g l`, infinite or NaN.
     pub fn new(pendulum: InvertedPendulum<T>, stiffness: T) -> Result<Self, ParameterError> {
-        let least = (0..T::LANES).map(|lane| pendulum.weight().lane(lane)).fold(0.0, f64::max);
-        Requirement::AtLeast(least).check("stiffness", stiffness)?;
+        for lane in 0..T::LANES {
+            let least = Requirement::AtLeast(pendulum.weight().lane(lane));
+            least.check("stiffness", stiffness.lane(lane))?;
+        }
         Ok(Self { pendulum, stiffness })
     }
 }

@@ -14,7 +14,7 @@ pub trait Band<T: Scalar> {
     fn release(&self) -> T;
 }
 
-/// The published band: of the slopes `γmin ≤ β ≤ min(c1, γmax)`, in forces.
+/// The published band of [`EnergyBounding`](crate::EnergyBounding): of the slopes `γmin ≤ β ≤ min(c1, γmax)`, in forces.
 #[derive(Clone, Copy, Debug)]
 pub struct Published<T> {
     /// `c1`, N/m.
@@ -52,7 +52,8 @@ impl<T: Scalar> Band<T> for Published<T> {
     }
 }
 
-/// The largest band for which `F² / (2 c)` is a storage: `|F(k)| ≤ |F(k−1) + c Δx|`.
+/// The band of [`EnergyBounding::tight`](crate::EnergyBounding::tight): `|F(k)| ≤ |F(k−1) + c Δx|`, the largest for which
+/// `F² / (2 c)` is a storage.
 #[derive(Clone, Copy, Debug)]
 pub struct Tight<T> {
     /// `c`, N/m.

@@ -10,7 +10,8 @@ use lyapunov_core::{
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
 use crate::range::in_range;
-use band::{Band, Published, Tight};
+use band::Band;
+pub use band::{Published, Tight};
 
 /// The energy-bounding algorithm, after Kim and Ryu (International Journal of Robotics Research 29(6), 2010): the force
 /// changes by `β Δx`, and `β` is clipped so that the sample and hold gives no more than the device's damping

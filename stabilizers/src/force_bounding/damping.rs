@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::factors::Factors;
 
 /// A viscous damping `D` that the device surely has.
-pub trait DeviceDamping<V: Signal> {
+pub trait DeviceDamping<V: Signal>: sealed::Sealed {
     /// Least energy that it dissipates over a displacement, `Δxᵀ (D / T) Δx`, J.
     fn burnt(&self, moved: V, period: V::Scalar) -> V::Scalar;
 
@@ -63,4 +63,14 @@ impl<T: Scalar, const N: usize> DeviceDamping<SVector<T, N>> for DampingMatrix<T
     fn size(&self, effort: SVector<T, N>) -> (T, T) {
         (self.factors.inverse_square(effort).sqrt(), T::of(1.0))
     }
+}
+
+mod sealed {
+    use lyapunov_core::Scalar;
+
+    /// Dampings of this crate: a bound is made with no other.
+    pub trait Sealed {}
+
+    impl<T> Sealed for super::EveryAxis<T> {}
+    impl<T: Scalar, const N: usize> Sealed for super::DampingMatrix<T, N> {}
 }

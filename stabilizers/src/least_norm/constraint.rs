@@ -30,7 +30,7 @@ pub struct Constraint<V: Signal> {
 pub struct Input<V: Signal> {
     /// The input; where none meets the constraint, the one that does not try.
     pub input: V,
-    /// Lanes in which some input meets the constraint.
+    /// Lanes in which some input meets the constraint; none where a number that it is made of is infinite or NaN.
     pub feasible: <V::Scalar as Scalar>::Mask,
 }
 
@@ -79,7 +79,7 @@ impl<V: Signal> Constraint<V> {
         let zero = V::Scalar::of(0.0);
         let able = square.above(zero) & input.finite();
         let met = able | !self.drift.above(zero);
-        let known = (self.drift + square).finite();
+        let known = (self.drift + square).finite() & otherwise.finite();
         Input { input: V::choose(able, input, otherwise), feasible: met & known }
     }
 }

@@ -62,9 +62,9 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for SoftStart<S, V::Scalar> {
 lends!(impl[S, T: Scalar] SoftStart<S, T>, of S, in T);
 
 impl<S, T: Scalar> SoftStart<S, T> {
-    /// The number of ticks, as the scalar.
-    pub fn ticks(&self) -> T {
-        self.ticks
+    /// The number of ticks.
+    pub fn ticks(&self) -> u32 {
+        self.ticks.lane(0) as u32
     }
 
     /// Changes the number of ticks; a rise under way goes on with the new number.

@@ -63,9 +63,9 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Spread<S, V::Scalar> {
 lends!(impl[S, T: Scalar] Spread<S, T>, of S, in T);
 
 impl<S, T: Scalar> Spread<S, T> {
-    /// The number of ticks, as the scalar.
-    pub fn ticks(&self) -> T {
-        self.ticks
+    /// The number of ticks; above 2^24 in `f32` the one that the scalar holds.
+    pub fn ticks(&self) -> u32 {
+        self.ticks.lane(0) as u32
     }
 
     /// Changes the number of ticks; an instalment under way is at least as large as before.

@@ -111,8 +111,8 @@ impl<T: Scalar, L> EnergyTank<T, L> {
     }
 }
 
-impl<T: Scalar, L> Snapshot for EnergyTank<T, L> {
-    /// The energy in it, J.
+impl<T: Scalar, L: Valve<T>> Snapshot for EnergyTank<T, L> {
+    /// The energy in it, J. With the bounded valve what is stored above the ceiling is forfeited, as what would overflow is.
     type State = T;
 
     fn state(&self) -> T {
@@ -120,6 +120,7 @@ impl<T: Scalar, L> Snapshot for EnergyTank<T, L> {
     }
 
     fn restored(self, energy: T) -> Result<Self, ParameterError> {
-        Ok(Self { energy: Requirement::Finite.check("stored energy", energy)?, ..self })
+        let energy = Requirement::Finite.check("stored energy", energy)?;
+        Ok(Self { energy: self.valve.held(&self.store, energy), ..self })
     }
 }

@@ -5,12 +5,15 @@ use lyapunov_core::Scalar;
 use super::TankLimits;
 
 /// Valve: the energy that a tank lets in and out in one period.
-pub trait Valve<T: Scalar> {
+pub trait Valve<T: Scalar>: sealed::Sealed {
     /// The share of the wished power `asked` (W, above 0 where it extracts) that passes while the tank holds `energy`.
     fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T;
 
     /// Energy of a tank that held `energy` and has `left` after its port drew, once `gain` joules were offered to it.
     fn filled(&self, store: &TankLimits<T>, energy: T, left: T, gain: T) -> T;
+
+    /// The part of a stored `energy` that a tank may hold, J.
+    fn held(&self, store: &TankLimits<T>, energy: T) -> T;
 }
 
 /// The published valve: open to what extracts while `E > floor`, and to what was dissipated while `E ≤ ceiling`.
@@ -30,6 +33,11 @@ impl<T: Scalar> Valve<T> for OpenValve {
     #[inline]
     fn filled(&self, store: &TankLimits<T>, energy: T, left: T, gain: T) -> T {
         T::choose(energy.above(store.ceiling), left, left + gain)
+    }
+
+    #[inline]
+    fn held(&self, _store: &TankLimits<T>, energy: T) -> T {
+        energy
     }
 }
 
@@ -52,4 +60,17 @@ impl<T: Scalar> Valve<T> for BoundedValve {
     fn filled(&self, store: &TankLimits<T>, _energy: T, left: T, gain: T) -> T {
         (left + gain).smaller(store.ceiling)
     }
+
+    #[inline]
+    fn held(&self, store: &TankLimits<T>, energy: T) -> T {
+        energy.smaller(store.ceiling)
+    }
+}
+
+mod sealed {
+    /// Valves of this crate: tanks are made with no other.
+    pub trait Sealed {}
+
+    impl Sealed for super::OpenValve {}
+    impl Sealed for super::BoundedValve {}
 }

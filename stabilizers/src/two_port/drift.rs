@@ -122,7 +122,7 @@ impl<S, V: Signal> StabilizerExt for DriftCompensated<S, V> {}
 lends!(impl[S, V: Signal] DriftCompensated<S, V>, of S, in V::Scalar);
 
 impl<S, V: Signal> DriftCompensated<S, V> {
-    /// The largest speed of the compensation.
+    /// The largest speed of the compensation on each axis, m/s.
     pub fn speed(&self) -> V::Scalar {
         self.speed
     }

@@ -4,7 +4,7 @@ mod posture;
 
 pub use posture::ArmPosture;
 
-use lyapunov_core::{Mechanics, ParameterError, Pose, Requirement, Scalar};
+use lyapunov_core::{Mechanics, ParameterError, Pose, Requirement, Scalar, Signal};
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3, Vector4};
 
 use super::trigonometry::{cos, sin};
@@ -69,8 +69,9 @@ impl<T: Scalar, const N: usize> SerialArm<T, N> {
     /// The arm of these `links`, with its tool in the pose `tool` along the axes of the last one.
     ///
     /// # Errors
-    /// A number that is infinite or NaN; a mass below 0; an inertia that leaves a joint without any: a pivot of `M(0)`
-    /// that is not above 0.
+    /// A number that is infinite or NaN, also one of the `tool`, or a tool without an orientation: a quaternion of 0, or one whose
+    /// square leaves the scalar's range; a mass below 0; an entry of an inertia that differs from the one across the diagonal; an
+    /// inertia that leaves a joint without any: a pivot of `M(0)` that is not above 0.
     pub fn new(links: [ArmLink<T>; N], tool: Pose<T>) -> Result<Self, ParameterError> {
         for link in &links {
             Requirement::Finite.check("length", link.length)?;
@@ -80,7 +81,17 @@ impl<T: Scalar, const N: usize> SerialArm<T, N> {
             for number in link.centre.iter().chain(link.inertia.iter()) {
                 Requirement::Finite.check("centre or inertia", *number)?;
             }
+            for (row, column) in [(1, 0), (2, 0), (2, 1)] {
+                let across = link.inertia[(row, column)] - link.inertia[(column, row)];
+                let none = Requirement::AtMost(0.0);
+                none.check("inertia less its transpose", across.magnitude())?;
+            }
         }
+        Requirement::Finite.check_axes("tool", tool)?;
+        // Its length is 1 where there is one, NaN or 0 elsewhere.
+        let turn = tool.orientation().into_inner().coords;
+        let length = turn.inner(turn);
+        Requirement::InRange.require("tool's orientation", length, length.above(T::of(0.5)))?;
         let half = T::of(0.5);
         let twists = core::array::from_fn(|joint| {
             let angle = links[joint].twist * half;
