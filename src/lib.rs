@@ -179,11 +179,11 @@ pub mod stabilizers {
         EnergyBounding, EnergyTank, EveryAxis, Following, ForceBound, ForceBounding, FreshContact,
         Inertia, InertiaLimit, InertiaMetric, Input, InputToState, JointInertia, KeptCredit,
         LeastNorm, LimitCredit, Member, MemberState, MemoryBased, Metric, NoStabilizer, OpenValve,
-        PartLimits, PathMemory, PerAxis, PerPart, Plausibility, Plausible, Published, RateLimit,
-        ReferenceDamper, ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread, StabilizerExt,
-        Tank, TankLimits, TaskInertia, Tight, TwoLayer, TwoPortSide, Valve, VelocityThreshold,
-        VirtualCoupling, Watchdog, WatchdogTimes, WaveFilter, WaveFollower, WaveTransform,
-        WindowedCredit,
+        PartLimits, PathMemory, PerAxis, PerPart, Plausibility, Plausible, PublishedBand,
+        RateLimit, ReferenceDamper, ReferenceFollowing, Sharing, SlopeBound, SoftStart, Spread,
+        StabilizerExt, Tank, TankLimits, TaskInertia, TightBand, TwoLayer, TwoPortSide, Valve,
+        VelocityThreshold, VirtualCoupling, Watchdog, WatchdogTimes, WaveFilter, WaveFollower,
+        WaveTransform, WindowedCredit,
     };
 }
 

@@ -53,7 +53,7 @@ pub use coupled_port::{CoupledPort, VirtualCoupling};
 pub use credit::{BoundedCredit, ContactReset, LimitCredit, WindowedCredit};
 pub use damping_limit::DampingLimit;
 pub use directed_damping::{AlongDirection, AxisWeights, DirectedDamping, InertiaMetric, Metric};
-pub use energy_bounding::{EnergyBounding, Published, Tight};
+pub use energy_bounding::{EnergyBounding, PublishedBand, TightBand};
 pub use force_bounding::{
     DampingMatrix, DeviceDamping, EveryAxis, ForceBound, ForceBounding, FreshContact, KeptCredit,
 };

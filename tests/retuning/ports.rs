@@ -8,7 +8,7 @@ use lyapunov::{
     environments::{MovingWall, Spring, VaryingSpring, Wall},
     laws::Samples,
     poses::{Pose, PoseTrack},
-    stabilizers::{CoupledPort, InputToState, VirtualCoupling},
+    stabilizers::{Account, CoupledPort, InputToState, VirtualCoupling},
     telemetry::EnergyMeter,
 };
 use nalgebra::{Isometry3, Vector2, Vector3};

@@ -16,7 +16,7 @@ pub trait Band<T: Scalar> {
 
 /// The published band of [`EnergyBounding`](crate::EnergyBounding): of the slopes `γmin ≤ β ≤ min(c1, γmax)`, in forces.
 #[derive(Clone, Copy, Debug)]
-pub struct Published<T> {
+pub struct PublishedBand<T> {
     /// `c1`, N/m.
     pub(super) rise: T,
     /// `c2`, N/m.
@@ -26,7 +26,7 @@ pub struct Published<T> {
     pub(super) burns: T,
 }
 
-impl<T: Scalar> Band<T> for Published<T> {
+impl<T: Scalar> Band<T> for PublishedBand<T> {
     #[inline(always)]
     fn ends(&self, force: T, moved: T) -> (T, T) {
         let zero = T::of(0.0);
@@ -55,12 +55,12 @@ impl<T: Scalar> Band<T> for Published<T> {
 /// The band of [`EnergyBounding::tight`](crate::EnergyBounding::tight): `|F(k)| ≤ |F(k−1) + c Δx|`, the largest for which
 /// `F² / (2 c)` is a storage.
 #[derive(Clone, Copy, Debug)]
-pub struct Tight<T> {
+pub struct TightBand<T> {
     /// `c`, N/m.
     pub(super) slope: T,
 }
 
-impl<T: Scalar> Band<T> for Tight<T> {
+impl<T: Scalar> Band<T> for TightBand<T> {
     #[inline(always)]
     fn ends(&self, force: T, moved: T) -> (T, T) {
         let size = (force + self.slope * moved).magnitude();

@@ -11,7 +11,7 @@ use crate::StabilizerExt;
 use crate::account::account_in_sum;
 use crate::range::in_range;
 use band::Band;
-pub use band::{Published, Tight};
+pub use band::{PublishedBand, TightBand};
 
 /// The energy-bounding algorithm, after Kim and Ryu (International Journal of Robotics Research 29(6), 2010): the force
 /// changes by `β Δx`, and `β` is clipped so that the sample and hold gives no more than the device's damping
@@ -55,7 +55,7 @@ pub use band::{Published, Tight};
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct EnergyBounding<V: Signal, B = Published<<V as Signal>::Scalar>> {
+pub struct EnergyBounding<V: Signal, B = PublishedBand<<V as Signal>::Scalar>> {
     band: B,
     /// The longest period over which `b Δx² / T` is what the damper dissipates.
     period: V::Scalar,
@@ -77,7 +77,7 @@ impl<V: Signal> EnergyBounding<V> {
             most.check("energy-bounding c2", release.lane(lane))?;
         }
         let fall = V::Scalar::largest();
-        let band = Published { rise, release, fall, burns: rise };
+        let band = PublishedBand { rise, release, fall, burns: rise };
         Ok(Self::within(band, V::Scalar::largest()))
     }
 
@@ -98,7 +98,7 @@ impl<V: Signal> EnergyBounding<V> {
     /// A constant that the division takes out of range.
     pub fn delayed(mut self, ticks: u32) -> Result<Self, ParameterError> {
         let times = V::Scalar::of(1.0 + f64::from(ticks));
-        let Published { rise, release, .. } = self.band;
+        let PublishedBand { rise, release, .. } = self.band;
         let within = |name, constant: V::Scalar| in_range(name, constant, constant / times);
         self.band.rise = within("energy-bounding c1", rise)?;
         self.band.release = within("energy-bounding c2", release)?;
@@ -132,7 +132,7 @@ impl<V: Signal> EnergyBounding<V> {
     }
 }
 
-impl<V: Signal> EnergyBounding<V, Tight<V::Scalar>> {
+impl<V: Signal> EnergyBounding<V, TightBand<V::Scalar>> {
     /// The form with one constant, `|F(k)| ≤ |F(k−1) + c Δx|` with `c = 2 b / T`: the largest set of forces for which
     /// `F² / (2 c)` is a storage, and twice as stiff. Derived here; it keeps the same guarantee with `c` in place of
     /// `c2`.
@@ -142,7 +142,7 @@ impl<V: Signal> EnergyBounding<V, Tight<V::Scalar>> {
     pub fn tight(damping: V::Scalar, period: V::Scalar) -> Result<Self, ParameterError> {
         let slope = V::Scalar::of(2.0) * rate(damping, period)?;
         let slope = in_range("device damping", damping, slope)?;
-        Ok(Self::within(Tight { slope }, period))
+        Ok(Self::within(TightBand { slope }, period))
     }
 }
 
