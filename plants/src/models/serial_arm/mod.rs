@@ -70,8 +70,8 @@ impl<T: Scalar, const N: usize> SerialArm<T, N> {
     ///
     /// # Errors
     /// A number that is infinite or NaN, also one of the `tool`, or a tool without an orientation: a quaternion of 0, or one whose
-    /// square leaves the scalar's range; a mass below 0; an entry of an inertia that differs from the one across the diagonal; an
-    /// inertia that leaves a joint without any: a pivot of `M(0)` that is not above 0.
+    /// square leaves the scalar's range; a mass below 0; an entry of an inertia that differs, by more than rounding, from the one
+    /// across the diagonal; an inertia that leaves a joint without any: a pivot of `M(0)` that is not above 0.
     pub fn new(links: [ArmLink<T>; N], tool: Pose<T>) -> Result<Self, ParameterError> {
         for link in &links {
             Requirement::Finite.check("length", link.length)?;
@@ -81,10 +81,12 @@ impl<T: Scalar, const N: usize> SerialArm<T, N> {
             for number in link.centre.iter().chain(link.inertia.iter()) {
                 Requirement::Finite.check("centre or inertia", *number)?;
             }
+            // An inertia turned by a rotation is symmetric but for rounding.
+            let slack = T::of(16.0) * T::epsilon() * link.inertia.trace().magnitude();
             for (row, column) in [(1, 0), (2, 0), (2, 1)] {
                 let across = link.inertia[(row, column)] - link.inertia[(column, row)];
                 let none = Requirement::AtMost(0.0);
-                none.check("inertia less its transpose", across.magnitude())?;
+                none.check("inertia less its transpose", across.magnitude() - slack)?;
             }
         }
         Requirement::Finite.check_axes("tool", tool)?;
