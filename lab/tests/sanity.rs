@@ -105,14 +105,14 @@ fn a_made_scene_shows_each_sign() {
     let swings = "{ moving-wall = { stiffness = 800.0, amplitude = 0.001, frequency = 700.0 } }";
     told("environment", swings, unit, &["environment.moving-wall.frequency", "300 Hz"]);
     // A step of 1 ms turns by sqrt(1e5 / 0.25) 1e-3 = 0.632 rad.
-    let stiff = [
-        ("operator", "{ mass = 0.05, stiffness = 1e5 }"),
-        ("device", "{ mass = 0.2 }"),
-        ("integrator", "\"rk4\""),
-    ];
-    shows(&of_run(&press(&stiff)), Sign::Coarse, &["1 ms", "0.6325 rad"]);
-    let finer = [&stiff[..], &[("steps_per_tick", "2")]].concat();
-    assert!(of_run(&press(&finer)).iter().all(|it| it.sign != Sign::Coarse));
+    let stiff = |steps: &str| {
+        let integrator = format!("2.0\nintegrator = \"rk4\"{steps}");
+        let operator = "{ mass = 0.05, stiffness = 1e5 }";
+        let device = "{ mass = 0.2 }";
+        of_run(&press(&[("duration", &integrator), ("operator", operator), ("device", device)]))
+    };
+    shows(&stiff(""), Sign::Coarse, &["1 ms", "0.6325 rad"]);
+    assert_eq!(stiff("\nsteps_per_tick = 2"), []);
     // A spring or a damper of 0 gives nothing of its own; a damper that pushes along does.
     for (parts, told) in [
         ("stiffness = 80.0, damping = 0.0", 0),

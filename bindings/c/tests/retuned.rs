@@ -73,12 +73,14 @@ fn a_lower_ceiling_is_taken_below_the_start() {
 }
 
 #[test]
-fn an_energy_tank_keeps_its_energy() {
+fn an_energy_tank_keeps_its_energy_up_to_its_ceiling() {
     use blocks::energy_tank::of_f64::{Parameters, drawn::energy};
     let sound = Parameters { start: 2e-3, floor: 0.0, ceiling: 5e-3, power: 1.0 };
-    let later = Parameters { start: 2e-3, ceiling: 1e-3, ..sound };
-    let (status, before, after, _) = retuned!(energy_tank, sound, later, energy);
-    assert_eq!((status.code, before, after), (0, 2e-3, 2e-3), "{}", text(&status));
+    for (ceiling, left) in [(3e-3, 2e-3), (1e-3, 1e-3)] {
+        let later = Parameters { start: 1e-4, ceiling, ..sound };
+        let (status, before, after, _) = retuned!(energy_tank, sound, later, energy);
+        assert_eq!((status.code, before, after), (0, 2e-3, left), "{}", text(&status));
+    }
 }
 
 /// The value that stands in for a start has no name of its own in a refusal.
