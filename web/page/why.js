@@ -8,8 +8,8 @@ const PARTS = [
   ["encoder", "in", "through the encoder"], ["saturation", "in", "through the saturation"],
   ["hand", "in", "from the hand that moves"], ["push", "in", "from load and pulse"],
   ["device", "out", "into the device's damper"], ["operator", "out", "into the operator's damper"],
-  ["link", "out", "into the link's damper"], ["friction", "out", "into friction or jitter"], ["wall", "out", "into the wall, by its law"],
-  ["controller", "out", "into the controller"], ["gained", "kept", "in masses and springs"], ["closing", "left", "to rounding or integrator"],
+  ["link", "out", "into the link's damper"], ["friction", "out", "into friction"], ["wall", "out", "into the wall, by its law"],
+  ["controller", "out", "into the controller"], ["gained", "kept", "in masses and springs"], ["closing", "left", "to rounding"],
 ];
 
 const cell = (row, text, tag = "td") => {
