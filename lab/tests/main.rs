@@ -29,5 +29,6 @@ mod space;
 mod tables;
 mod telemetry;
 mod teleoperation;
+mod too_fast;
 mod tune;
 mod worked;

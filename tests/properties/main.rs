@@ -23,6 +23,7 @@ mod guard;
 mod hold_order;
 mod lanes;
 mod linked;
+mod lost_messages;
 mod low_pass;
 mod measurement_lanes;
 mod noise;

@@ -161,7 +161,7 @@ fn meters_and_tracks() {
     assert!(resumed.is_some());
 }
 
-/// What stands inside the adaptors of a loop is changed where it stands: here each lends the next.
+/// A stabilizer inside the adaptors of a loop is changed where it stands: each lends the next.
 #[test]
 fn a_stabilizer_behind_adaptors_is_reached() {
     let mut chain = wall()

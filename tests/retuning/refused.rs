@@ -74,7 +74,7 @@ fn energies_and_forces_out_of_range_are_refused() {
     assert!(layer.restored((0.0, -1.0, 0.0, 0.0)).is_err());
 }
 
-/// What a part wrote itself is taken: a NaN that went through it spoils nothing later.
+/// Memory that a part wrote itself is taken: a NaN that went through it spoils nothing later.
 #[test]
 fn a_memory_that_was_written_is_taken() {
     let unknown = PortSample::starting(1e-3, f64::NAN, 0.0);

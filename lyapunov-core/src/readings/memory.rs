@@ -7,7 +7,7 @@ use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snaps
 /// The last accepted position, and the time and the efforts since then.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Memory<V: Signal> {
-    /// Where a position is known is a 1, or a 2 if the next reading is the first at another period, and elsewhere a 0: numbers
+    /// A 1 where a position is known, a 2 if the next reading is then the first at another period, and elsewhere a 0: numbers
     /// alone have no padding, and every pattern of bits is one.
     known: V::Scalar,
     position: V,
@@ -84,7 +84,7 @@ impl<V: Signal> Memory<V> {
         self.known = V::Scalar::choose(lanes & self.known(), V::Scalar::of(2.0), self.known);
     }
 
-    /// Where the next reading is the first at another period.
+    /// The lanes in which the next reading is the first at another period.
     #[inline(always)]
     pub(super) fn spaced_anew(&self) -> <V::Scalar as Scalar>::Mask {
         self.known.above(V::Scalar::of(1.5))

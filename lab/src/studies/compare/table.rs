@@ -59,7 +59,7 @@ pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt:
     tables(comparison).iter().try_for_each(|table| write!(f, "\n{table}"))
 }
 
-/// What a reader of the tables must know, a remark each.
+/// The remarks that the tables need.
 pub(super) fn remarks(comparison: &Comparison) -> Vec<String> {
     let cap = described::exceeded_cap(&comparison.scene);
     let by = by_speed(&comparison.scene).map(|by| format!("judged {by}"));
