@@ -132,9 +132,9 @@ fn side_by_side<T: Scalar, const N: usize>(terms: &[T; N]) -> T {
     let (eights, rest) = terms.as_chunks::<8>();
     let mut sums = [zero; 8];
     for eight in eights {
-        for (sum, term) in sums.iter_mut().zip(eight) {
+        for index in 0..8 {
             apart::<T>();
-            *sum += *term;
+            sums[index] += eight[index];
         }
     }
     let [a, b, c, d, e, f, g, h] = sums;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use lyapunov::{Scalar, Signal};
+use lyapunov::{Scalar, Signal, lanes::apart};
 
 /// The band, Hz: the hand feels it as buzzing.
 const BAND: (f64, f64) = (5.0, 50.0);
@@ -22,6 +22,8 @@ pub(crate) struct Chatter<V: Signal> {
     place: i64,
     /// Those of the band, and one more at each end.
     lines: Vec<Line<V>>,
+    /// The half segment before in each line, apart from what every block reads: two groups of lanes then fit the nearest cache.
+    befores: Vec<Before<V>>,
     /// The forces of ticks that the lines do not have yet.
     waiting: [V; BLOCK],
     count: usize,
@@ -39,18 +41,24 @@ const PAIRS: usize = BLOCK / 2;
 /// A complex number.
 type Complex<T> = (T, T);
 
-/// One frequency, by its sums over half segments.
+/// One frequency, by its sum over a half segment.
 #[derive(Clone, Copy, Debug)]
 struct Line<V> {
     sum: Complex<V>,
-    before: Complex<V>,
     /// The cosine and the sine of the angle from the middle of a block to each pair's later tick.
     pairs: [Complex<f64>; PAIRS],
-    /// The phase of the middle of the block; its change from block to block; its value in the first.
+    /// The phase of the middle of the block, and its change from block to block.
     now: Complex<f64>,
     turn: Complex<f64>,
+}
+
+/// The half segment before of a line.
+#[derive(Clone, Copy, Debug)]
+struct Before<V> {
+    sum: Complex<V>,
+    /// The phase of the middle of a half segment's first block.
     first: Complex<f64>,
-    /// The change over a half segment.
+    /// The change of phase over a half segment.
     half: Complex<f64>,
     /// 2 for a line that also stands for its mirror image.
     weight: f64,
@@ -72,7 +80,7 @@ fn turned<V: Signal>(sum: Complex<V>, by: Complex<f64>, to: Complex<V>) -> Compl
 
 impl<V: Signal> Line<V> {
     /// The line of `index` turns in a segment of `length` ticks, of which `hop` are its first half.
-    fn new(index: f64, length: f64, hop: f64) -> Self {
+    fn new(index: f64, length: f64, hop: f64) -> (Self, Before<V>) {
         let angle = TAU * index / length;
         let none = (V::zero(), V::zero());
         let pairs = std::array::from_fn(|pair| {
@@ -83,7 +91,8 @@ impl<V: Signal> Line<V> {
         let turn = phase(angle * BLOCK as f64);
         let half = phase(angle * hop);
         let weight = if 2.0 * index == length { 1.0 } else { 2.0 };
-        Self { sum: none, before: none, pairs, now: first, turn, first, half, weight }
+        let line = Self { sum: none, pairs, now: first, turn };
+        (line, Before { sum: none, first, half, weight })
     }
 
     /// Adds a block by the sums and the differences of its pairs.
@@ -98,18 +107,20 @@ impl<V: Signal> Line<V> {
         self.now = turned((0.0, 0.0), self.turn, self.now);
     }
 
-    /// The sums over the half segment before, this one as far as it is there, and a block more.
+    /// The sum over the half segment `before`, this one as far as it is there, and a block more if there is one.
     #[inline(always)]
-    fn segment(mut self, pairs: &[Complex<V>; PAIRS]) -> Complex<V> {
-        self.add(pairs);
-        turned(self.before, self.half, self.sum)
+    fn segment(mut self, before: &Before<V>, more: Option<&[Complex<V>; PAIRS]>) -> Complex<V> {
+        if let Some(pairs) = more {
+            self.add(pairs);
+        }
+        turned(before.sum, before.half, self.sum)
     }
 
     /// Begins the next half segment. The phases start anew there, so that their roundings do not add up.
     #[inline(always)]
-    fn begin(&mut self) {
-        self.before = std::mem::replace(&mut self.sum, (V::zero(), V::zero()));
-        self.now = self.first;
+    fn begin(&mut self, before: &mut Before<V>) {
+        before.sum = std::mem::replace(&mut self.sum, (V::zero(), V::zero()));
+        self.now = before.first;
     }
 }
 
@@ -132,11 +143,13 @@ impl<V: Signal> Chatter<V> {
         let last = ((BAND.1 * length / rate + within).floor() as u64).min(length as u64 / 2);
         let hop = length - (length / 2.0).floor();
         let line = |index: u64| Line::new(index as f64, length, hop);
+        let (lines, befores) = (first - 1..=last + 1).map(line).unzip();
         Some(Self {
             length: length as i64,
             hop: hop as i64,
             place: 0,
-            lines: (first - 1..=last + 1).map(line).collect(),
+            lines,
+            befores,
             waiting: [V::zero(); BLOCK],
             count: 0,
             is_first: true,
@@ -151,10 +164,6 @@ impl<V: Signal> Chatter<V> {
         self.count += 1;
         self.place += 1;
         let ends = self.place == self.hop;
-        // A segment of an odd number of ticks ends a tick before its second half.
-        if self.place == self.length - self.hop && !self.is_first {
-            self.close();
-        }
         if self.count == BLOCK || ends {
             let pairs = self.pairs();
             // A loop, as closures are not always inlined on lanes.
@@ -163,8 +172,14 @@ impl<V: Signal> Chatter<V> {
             }
             self.count = 0;
         }
+        // A segment of an odd number of ticks ends a tick before its second half.
+        if self.place == self.length - self.hop && !self.is_first {
+            self.close();
+        }
         if ends {
-            self.lines.iter_mut().for_each(Line::begin);
+            for (line, before) in self.lines.iter_mut().zip(&mut self.befores) {
+                line.begin(before);
+            }
             (self.place, self.is_first) = (0, false);
         }
     }
@@ -175,6 +190,7 @@ impl<V: Signal> Chatter<V> {
         self.waiting[self.count..].fill(V::zero());
         let mut pairs = [(V::zero(), V::zero()); PAIRS];
         for (pair, both) in pairs.iter_mut().enumerate() {
+            apart::<V::Scalar>();
             let (early, late) = (self.waiting[PAIRS - 1 - pair], self.waiting[PAIRS + pair]);
             *both = (late + early, late - early);
         }
@@ -183,17 +199,17 @@ impl<V: Signal> Chatter<V> {
 
     #[inline(always)]
     fn close(&mut self) {
-        let pairs = self.pairs();
+        let more = (self.count > 0).then(|| self.pairs());
         let none = (V::zero(), V::zero());
         let (mut below, mut line, mut weight) = (none, none, 0.0);
-        for (index, next) in self.lines.iter().enumerate() {
-            let above = next.segment(&pairs);
+        for (index, (next, before)) in self.lines.iter().zip(&self.befores).enumerate() {
+            let above = next.segment(before, more.as_ref());
             // The first of all stands between no two.
             if index > 1 {
                 let (re, im) = (part(line.0, below.0 + above.0), part(line.1, below.1 + above.1));
                 self.power += V::Scalar::of(weight) * (re.inner(re) + im.inner(im));
             }
-            (below, line, weight) = (line, above, next.weight);
+            (below, line, weight) = (line, above, before.weight);
         }
         self.segments += 1;
     }

@@ -1,6 +1,6 @@
 //! Shares of environment and controller in the applied force.
 
-use std::collections::VecDeque;
+use std::mem::replace;
 
 use lyapunov::{Scalar, Signal};
 
@@ -22,20 +22,25 @@ pub(crate) struct Split<V> {
 #[derive(Clone, Debug)]
 pub(crate) struct Share<V: Signal> {
     limit: V::Scalar,
-    waiting: VecDeque<V>,
+    /// The environment's forces that do not act yet, and the place of the oldest.
+    waiting: Vec<V>,
+    oldest: usize,
 }
 
 impl<V: Signal> Share<V> {
     /// The shares of forces that act `ticks` late, no larger than `limit` along any axis.
     pub(crate) fn late(ticks: usize, limit: V::Scalar) -> Self {
-        Self { limit, waiting: VecDeque::from(vec![V::zero(); ticks]) }
+        Self { limit, waiting: vec![V::zero(); ticks], oldest: 0 }
     }
 
     /// Splits the applied force, of which the environment gave `environment` as it was commanded.
     #[inline(always)]
     pub(crate) fn of(&mut self, environment: V, applied: V) -> Split<V> {
-        self.waiting.push_back(environment);
-        let late = self.waiting.pop_front().unwrap_or_else(V::zero);
+        let late = match self.waiting.get_mut(self.oldest) {
+            Some(oldest) => replace(oldest, environment),
+            None => environment,
+        };
+        self.oldest = if self.oldest + 1 < self.waiting.len() { self.oldest + 1 } else { 0 };
         let (most, least) = (self.limit, -self.limit);
         let environment = late.map(|axis| {
             let clipped = V::Scalar::choose(axis.below(least), least, axis);
