@@ -91,7 +91,6 @@ impl<T: Angle, F: Axes> LyapunovCandidate<WithPose<T, F>> for DissipationOf<Orie
     #[inline]
     fn decrease(&mut self, sample: &PortSample<WithPose<T, F>>) -> T {
         let rate = sample.velocity.screw.rotation;
-        let burnt = self.0.damper.damping() * (rate.inner(rate) * sample.period);
-        T::choose(burnt.finite(), burnt, T::of(0.0))
+        self.0.damper.decrease(&PortSample::starting(sample.period, Vector3::zeros(), rate))
     }
 }

@@ -1,8 +1,8 @@
 //! Contact of a point with a solid.
 
 use lyapunov_core::{
-    Dissipation, LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement, Scalar,
-    Signal,
+    Dissipation, InContact, LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement,
+    Scalar, Signal,
 };
 
 use crate::environments::one_sided::{depth_stored, one_sided};
@@ -80,9 +80,7 @@ impl<V: Signal, S: Solid<V>> LyapunovCandidate<V> for DissipationOf<Contact<S, V
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let Self(contact) = self;
         let NearestPoint { depth, normal } = contact.solid.nearest(sample.position);
-        let leaving = sample.velocity.inner(normal);
-        let burnt = contact.damper.damping() * (leaving * leaving * sample.period);
-        let zero = V::Scalar::of(0.0);
-        V::Scalar::choose(depth.above(zero) & burnt.finite(), burnt, zero)
+        let inside = PortSample::starting(sample.period, depth, sample.velocity.inner(normal));
+        contact.damper.gated(InContact { position: V::Scalar::of(0.0) }).decrease(&inside)
     }
 }
