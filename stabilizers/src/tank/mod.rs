@@ -14,6 +14,7 @@ use lyapunov_core::{
 use crate::StabilizerExt;
 use crate::account::account;
 use crate::credit::limits_credit;
+use crate::limiting::limiting;
 
 /// Limits on the energy that a [`Tank`] or an [`EnergyTank`] may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,13 +129,7 @@ where
         let timed = sample.period.above(zero);
         let accepted =
             (given + sample.period + sample.work.sum()).finite() & effort.finite() & timed;
-        Correction {
-            effort: V::choose(accepted, effort.scale(factor), V::zero()),
-            observed_energy: sum,
-            alpha: zero,
-            shortfall: (-sum).larger(zero),
-            accepted,
-        }
+        limiting(effort.scale(factor), sum, accepted)
     }
 }
 
