@@ -1,8 +1,8 @@
 //! Orientation spring.
 
 use lyapunov_core::{
-    Angle, Axes, Dissipation, LyapunovCandidate, OnePort, ParameterError, PortSample, Pose,
-    Requirement, Scalar, Screw, Signal, WithPose,
+    Angle, Axes, Dissipation, LyapunovCandidate, ParameterError, PortSample, Pose, Requirement,
+    Scalar, Screw, Signal, WithPose,
 };
 use nalgebra::Vector3;
 
@@ -77,13 +77,6 @@ impl<T: Angle, F: Axes> ForceLaw<WithPose<T, F>> for OrientationSpring<T> {
     fn stored(&self, motion: &Kinematics<WithPose<T, F>>) -> T {
         let turned = self.turned::<F>(&motion.position.pose);
         T::of(0.5) * self.stiffness * turned.inner(turned)
-    }
-}
-
-impl<T: Angle, F: Axes> OnePort<WithPose<T, F>> for OrientationSpring<T> {
-    #[inline]
-    fn respond(&mut self, sample: &PortSample<WithPose<T, F>>) -> WithPose<T, F> {
-        self.force(&Kinematics::of(sample))
     }
 }
 

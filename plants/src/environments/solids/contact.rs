@@ -1,8 +1,8 @@
 //! Contact of a point with a solid.
 
 use lyapunov_core::{
-    Dissipation, InContact, LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement,
-    Scalar, Signal,
+    Dissipation, InContact, LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar,
+    Signal,
 };
 
 use crate::environments::one_sided::{depth_stored, one_sided};
@@ -65,13 +65,6 @@ impl<V: Signal, S: Solid<V>> ForceLaw<V> for Contact<S, V::Scalar> {
 
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
         depth_stored(self.stiffness, self.solid.nearest(motion.position).depth)
-    }
-}
-
-impl<V: Signal, S: Solid<V>> OnePort<V> for Contact<S, V::Scalar> {
-    #[inline]
-    fn respond(&mut self, sample: &PortSample<V>) -> V {
-        self.force(&Kinematics::of(sample))
     }
 }
 
