@@ -4,6 +4,7 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
+use crate::signal::one_axis;
 use crate::{Scalar, Signal};
 
 /// Unevaluated sum of two `f64`, the second below half a unit in the last place of the first: about 31 digits over
@@ -214,20 +215,10 @@ impl MulAssign for DoubleDouble {
 impl Signal for DoubleDouble {
     type Scalar = Self;
 
-    #[inline]
-    fn splat(value: Self) -> Self {
-        value
-    }
-
-    #[inline]
-    fn zip(self, other: Self, mut f: impl FnMut(Self, Self) -> Self) -> Self {
-        f(self, other)
-    }
-
-    #[inline]
-    fn sum(self) -> Self {
-        self
-    }
+    one_axis!(
+        #[inline]
+        Self
+    );
 
     #[inline]
     fn choose(mask: bool, yes: Self, no: Self) -> Self {

@@ -14,6 +14,7 @@ use simba::simd::{
     WideBoolF32x8, WideBoolF64x4,
 };
 
+use crate::signal::one_axis;
 use crate::{Mask, Scalar, Signal};
 
 /// Mark in a loop over numbers of several lanes, which are vectors by themselves; for one lane it is nothing.
@@ -136,20 +137,7 @@ macro_rules! lanes {
         impl Signal for $lanes {
             type Scalar = $lanes;
 
-            #[inline(always)]
-            fn splat(value: $lanes) -> Self {
-                value
-            }
-
-            #[inline(always)]
-            fn zip(self, other: Self, mut f: impl FnMut($lanes, $lanes) -> $lanes) -> Self {
-                f(self, other)
-            }
-
-            #[inline(always)]
-            fn sum(self) -> $lanes {
-                self
-            }
+            one_axis!(#[inline(always)] $lanes);
 
             #[inline(always)]
             fn choose(mask: $mask, yes: Self, no: Self) -> Self {

@@ -49,6 +49,7 @@ mod poses;
 mod readings;
 mod scalar;
 mod signal;
+mod signal_axes;
 mod snapshot;
 mod stabilizer;
 mod state;
@@ -84,6 +85,8 @@ pub use readings::{
 };
 pub use scalar::{Mask, Scalar};
 pub use signal::Signal;
+#[doc(hidden)]
+pub use signal_axes::{largest_axis, length_and_direction};
 pub use snapshot::Snapshot;
 pub use stabilizer::{Stabilized, Stabilizer};
 pub use state::State;

@@ -6,6 +6,7 @@ use core::ops::{AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, SubAssi
 use num_traits::One;
 
 use crate::Signal;
+use crate::signal::one_axis;
 
 /// Outcome of comparing two [`Scalar`]s: `bool` for one value, a lane mask for several.
 ///
@@ -226,20 +227,10 @@ macro_rules! real {
         impl Signal for $real {
             type Scalar = $real;
 
-            #[inline(always)]
-            fn splat(value: $real) -> Self {
-                value
-            }
-
-            #[inline(always)]
-            fn zip(self, other: Self, mut f: impl FnMut($real, $real) -> $real) -> Self {
-                f(self, other)
-            }
-
-            #[inline(always)]
-            fn sum(self) -> $real {
-                self
-            }
+            one_axis!(
+                #[inline(always)]
+                $real
+            );
 
             #[inline(always)]
             fn choose(mask: bool, yes: Self, no: Self) -> Self {

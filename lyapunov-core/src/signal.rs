@@ -120,6 +120,28 @@ impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
     }
 }
 
+/// Functions of a signal that has one axis and is its own scalar.
+macro_rules! one_axis {
+    (#[$inline:meta] $scalar:ty) => {
+        #[$inline]
+        fn splat(value: $scalar) -> Self {
+            value
+        }
+
+        #[$inline]
+        fn zip(self, other: Self, mut f: impl FnMut($scalar, $scalar) -> $scalar) -> Self {
+            f(self, other)
+        }
+
+        #[$inline]
+        fn sum(self) -> $scalar {
+            self
+        }
+    };
+}
+
+pub(crate) use one_axis;
+
 /// Signal of a type with two parts that are signals of one scalar: part by part, with the sum over both unless another one stands
 /// behind it.
 #[doc(hidden)]

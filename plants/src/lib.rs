@@ -34,6 +34,7 @@ mod bodies;
 mod channels;
 mod dynamics;
 mod effects;
+mod elimination;
 mod environments;
 mod integrators;
 mod models;

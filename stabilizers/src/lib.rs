@@ -28,6 +28,7 @@ mod force_bounding;
 mod inertia;
 mod input_to_state;
 mod least_norm;
+mod limiting;
 mod lolc;
 mod member;
 mod memory_based;

@@ -5,8 +5,9 @@ use lyapunov_core::{
     Plain, PortSample, Sampled, Scalar, Signal, Snapshot, Stabilizer, Work,
 };
 
+use crate::DampingLimit;
 use crate::account::{account, budget};
-use crate::{DampingLimit, LimitCredit};
+use crate::credit::limits_credit;
 
 /// Lyapunov observer/controller of Jafari, Etoundi and Chong.
 ///
@@ -150,12 +151,7 @@ impl<T: Copy, C, W, A> Lolc<T, C, W, A> {
     }
 }
 
-impl<T: Scalar, C, W: Work, A: Accumulator<T>> LimitCredit<T> for Lolc<T, C, W, A> {
-    #[inline]
-    fn limit_credit(&mut self, most: T) {
-        self.observer.ledger.limit_credit(most);
-    }
-}
+limits_credit!(impl[T: Scalar, C, W: Work, A: Accumulator<T>] Lolc<T, C, W, A>, in T, of observer.ledger);
 
 impl<V, C, W, A> Stabilizer<V> for Lolc<V::Scalar, C, W, A>
 where

@@ -7,6 +7,7 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
+use crate::limiting::limiting;
 use nalgebra::SVector;
 
 /// Memory-based passivation, after Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014): the force of the
@@ -112,14 +113,7 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
         }
         let accepted = booked & sound & effort.finite();
         let bounded = T::choose(outwards, effort.smaller(most), effort);
-        let sum = self.energy.value();
-        Correction {
-            effort: T::choose(accepted, bounded, zero),
-            observed_energy: sum,
-            alpha: zero,
-            shortfall: (-sum).larger(zero),
-            accepted,
-        }
+        limiting(bounded, self.energy.value(), accepted)
     }
 }
 

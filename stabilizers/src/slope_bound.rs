@@ -7,6 +7,7 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
+use crate::limiting::limiting;
 use crate::range::in_range;
 
 /// A bound of the slope, derived here: the force `F` follows the effort `f`, axis by axis, with changes in the sector
@@ -124,10 +125,7 @@ fn within<T: Scalar>(value: T, end: T) -> T {
 impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
-        let zero = V::Scalar::of(0.0);
-        let work = sample.work.sum();
-        let booked = self.energy.book(work);
-        let sum = self.energy.value();
+        let booked = self.energy.book(sample.work.sum());
 
         let change = effort - V::choose(self.asked.finite(), self.asked, effort);
         let followed = change.zip(sample.displacement.scale(self.slope), within);
@@ -140,14 +138,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for SlopeBound<V, A> {
             & sample.timed();
         self.held = V::choose(sound, held, self.held);
         self.asked = V::choose(sound, effort, self.asked);
-        let accepted = booked & sound;
-        Correction {
-            effort: V::choose(accepted, effort - held, V::zero()),
-            observed_energy: sum,
-            alpha: zero,
-            shortfall: (-sum).larger(zero),
-            accepted,
-        }
+        limiting(effort - held, self.energy.value(), booked & sound)
     }
 }
 

@@ -27,11 +27,7 @@ pub fn candidate<V: Signal, C: LyapunovCandidate<V> + Clone>(
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (candidate.clone(), candidate.clone());
-    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
-        let told = tick_of(Tick(tick), &mut one, &mut other, &sample);
-        told.map_err(|broken| broken.under(&sample, effort))?;
-    }
-    Ok(())
+    Tick::each(samples, |now, sample, _| tick_of(now, &mut one, &mut other, sample))
 }
 
 fn tick_of<V: Signal, C: LyapunovCandidate<V> + Clone>(

@@ -30,29 +30,26 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
     let (mut absolute, mut largest, mut ticks) = (zero, zero, zero);
     // A limit that is not valid shows as a breach of it on the first tick.
     let limit = Requirement::Limit.check("limit", limit).unwrap_or(zero);
-    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
-        let now = Tick(tick);
-        let decrease = candidate.decrease(&sample);
-        let correction = stabilizer.stabilize(&sample, effort);
-        now.told(quantity::EFFORT)
-            .finite(Law::Finite, correction.effort)
-            .map_err(|broken| broken.under(&sample, effort))?;
+    Tick::each(samples, |now, sample, effort| {
+        let decrease = candidate.decrease(sample);
+        let correction = stabilizer.stabilize(sample, effort);
+        now.told(quantity::EFFORT).finite(Law::Finite, correction.effort)?;
         let most = sample.velocity.map(|v| v.magnitude() * limit);
         let added = (correction.effort - effort).map(Scalar::magnitude);
         let size = correction.effort.map(Scalar::magnitude) + effort.map(Scalar::magnitude);
-        now.told(quantity::ROOM_IN_LIMIT)
-            .not_below_zero(Law::WithinLimit, (most - added).sum(), size.sum())
-            .map_err(|broken| broken.under(&sample, effort))?;
+        now.told(quantity::ROOM_IN_LIMIT).not_below_zero(
+            Law::WithinLimit,
+            (most - added).sum(),
+            size.sum(),
+        )?;
 
         let told = correction.alpha * sample.velocity.inner(sample.velocity);
         let taken = (correction.effort - effort).inner(sample.velocity);
-        now.told(quantity::POWER_NOT_TOLD)
-            .not_below_zero(
-                Law::Injects,
-                taken - told,
-                size.inner(sample.velocity.map(Scalar::magnitude)),
-            )
-            .map_err(|broken| broken.under(&sample, effort))?;
+        now.told(quantity::POWER_NOT_TOLD).not_below_zero(
+            Law::Injects,
+            taken - told,
+            size.inner(sample.velocity.map(Scalar::magnitude)),
+        )?;
 
         supplied.add(decrease);
         let sum = supplied.value();
@@ -65,9 +62,6 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
         let unit = V::Scalar::epsilon() * V::Scalar::of(0.5);
         let allowed = V::Scalar::of(4.0) * unit * (absolute + ticks * largest)
             + ticks * V::Scalar::of(4.0) * V::Scalar::smallest_normal();
-        now.told(quantity::ACCOUNT)
-            .within(Law::Balances, error, allowed)
-            .map_err(|broken| broken.under(&sample, effort))?;
-    }
-    Ok(())
+        now.told(quantity::ACCOUNT).within(Law::Balances, error, allowed)
+    })
 }

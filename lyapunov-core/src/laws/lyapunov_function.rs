@@ -3,6 +3,7 @@
 use num_traits::Float;
 
 use crate::laws::{Allowed, Law, Tick, Violation, quantity};
+use crate::signal_axes::{axes, axis_of, largest_axis};
 use crate::{LyapunovFunction, Scalar, Signal};
 
 /// Check of a `function` at the `states` visited and at rest: the laws [`Finite`](Law::Finite),
@@ -66,18 +67,18 @@ fn slopes<X: Signal>(
 ) -> Result<(), Violation> {
     let of = X::Scalar::of;
     let share = of(Float::cbrt(X::Scalar::epsilon().lane(0)));
-    let size = largest(state);
+    let size = largest_axis(state);
     let size = X::Scalar::choose(size.above(of(0.0)), size, of(1.0));
     let step = share * size;
     let (here, gradient) = (function.value(state), function.gradient(state));
     // The size of the terms that may cancel in V, taking every axis as a term of its own.
     let steepness = gradient.times(state).map(Scalar::magnitude).sum() / size;
-    for axis in 0..axes(state) {
+    for axis in 0..axes::<X>() {
         let at = |steps: f64| function.value(moved(state, axis, step * of(steps)));
         let [ahead, behind, far_ahead, far_behind] = [at(1.0), at(-1.0), at(2.0), at(-2.0)];
         let near = (ahead - behind) / (step * of(2.0));
         let far = (far_ahead - far_behind) / (step * of(4.0));
-        let told = component(gradient, axis);
+        let told = axis_of(gradient, axis);
         let heights = far_ahead.magnitude() + far_behind.magnitude();
         let bend = (ahead - here - (here - behind)) / step;
         let tolerance = of(2.0) * (far - near).magnitude()
@@ -93,25 +94,6 @@ fn slopes<X: Signal>(
     Ok(())
 }
 
-fn axes<X: Signal>(state: X) -> usize {
-    let mut count = 0;
-    state.map(|value| {
-        count += 1;
-        value
-    });
-    count
-}
-
-fn component<X: Signal>(state: X, axis: usize) -> X::Scalar {
-    let (mut index, mut found) = (0, X::Scalar::of(0.0));
-    state.map(|value| {
-        found = if index == axis { value } else { found };
-        index += 1;
-        value
-    });
-    found
-}
-
 fn moved<X: Signal>(state: X, axis: usize, by: X::Scalar) -> X {
     let mut index = 0;
     state.map(|value| {
@@ -119,13 +101,4 @@ fn moved<X: Signal>(state: X, axis: usize, by: X::Scalar) -> X {
         index += 1;
         moved
     })
-}
-
-fn largest<X: Signal>(state: X) -> X::Scalar {
-    let mut largest = X::Scalar::of(0.0);
-    state.map(|value| {
-        largest = value.magnitude().larger(largest);
-        value
-    });
-    largest
 }

@@ -36,11 +36,9 @@ pub fn snapshot<V: Signal, S: Stabilizer<V> + Snapshot + Clone>(
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let mut running = stabilizer.clone();
-    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
-        let told = resumes(Tick(tick), stabilizer, &mut running, &sample, effort);
-        told.map_err(|broken| broken.under(&sample, effort))?;
-    }
-    Ok(())
+    Tick::each(samples, |now, sample, effort| {
+        resumes(now, stabilizer, &mut running, sample, effort)
+    })
 }
 
 fn resumes<V: Signal, S: Stabilizer<V> + Snapshot + Clone>(

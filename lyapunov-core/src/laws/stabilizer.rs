@@ -63,28 +63,23 @@ fn check<V: Signal, S: Stabilizer<V> + Clone>(
     manner: Manner<V>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (stabilizer.clone(), stabilizer.clone());
-    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
-        let now = Tick(tick);
+    Tick::each(samples, |now, sample, effort| {
         let before = one.clone();
-        let correction = one.stabilize(&sample, effort);
-        finite(now, &correction)
-            .and_then(|()| keeps_its_word(now, &sample, &correction))
-            .and_then(|()| manner(now, &sample, effort, &correction))
-            .and_then(|()| repeats(now, &correction, &other.stabilize(&sample, effort)))
-            .and_then(|()| lane_by_lane(now, &before, &sample, effort, &correction))
-            .and_then(|()| {
-                for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-                    rejects(now, one.clone(), &sample, effort, bad)?;
-                    survives(now, &one, &sample, effort, bad)?;
-                }
-                for period in [-1e-3, -0.0, 0.0] {
-                    outlives(now, one.clone(), &sample, effort, period, manner)?;
-                }
-                Ok(())
-            })
-            .map_err(|broken| broken.under(&sample, effort))?;
-    }
-    Ok(())
+        let correction = one.stabilize(sample, effort);
+        finite(now, &correction)?;
+        keeps_its_word(now, sample, &correction)?;
+        manner(now, sample, effort, &correction)?;
+        alike(now, Law::Repeatable, &correction, &other.stabilize(sample, effort))?;
+        lane_by_lane(now, &before, sample, effort, &correction)?;
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            rejects(now, one.clone(), sample, effort, bad)?;
+            survives(now, &one, sample, effort, bad)?;
+        }
+        for period in [-1e-3, -0.0, 0.0] {
+            outlives(now, one.clone(), sample, effort, period, manner)?;
+        }
+        Ok(())
+    })
 }
 
 fn finite<V: Signal>(now: Tick, correction: &Correction<V>) -> Result<(), Violation> {
@@ -94,14 +89,6 @@ fn finite<V: Signal>(now: Tick, correction: &Correction<V>) -> Result<(), Violat
     now.told(quantity::DAMPING).finite(Law::Finite, alpha)?;
     now.told(quantity::SHORTFALL).finite(Law::Finite, shortfall)?;
     now.told(quantity::ACCEPTANCE).holds::<V::Scalar>(Law::Finite, accepted)
-}
-
-fn repeats<V: Signal>(
-    now: Tick,
-    correction: &Correction<V>,
-    again: &Correction<V>,
-) -> Result<(), Violation> {
-    alike(now, Law::Repeatable, correction, again)
 }
 
 /// Comparison of effort, observed energy and damping.

@@ -1,7 +1,7 @@
 //! Checks on one tick.
 
 use super::{Allowed, Law, Quantity, Violation, quantity};
-use crate::{Mask, Scalar, Signal};
+use crate::{Mask, PortSample, Scalar, Signal};
 
 /// Index of the tick that is being checked.
 #[derive(Clone, Copy)]
@@ -15,6 +15,17 @@ pub(super) struct Told {
 }
 
 impl Tick {
+    /// The first breach that `check` finds at one of the `samples`, with what drove it.
+    pub(super) fn each<V: Signal>(
+        samples: impl IntoIterator<Item = (PortSample<V>, V)>,
+        mut check: impl FnMut(Self, &PortSample<V>, V) -> Result<(), Violation>,
+    ) -> Result<(), Violation> {
+        for (index, (sample, effort)) in samples.into_iter().enumerate() {
+            check(Self(index), &sample, effort).map_err(|broken| broken.under(&sample, effort))?;
+        }
+        Ok(())
+    }
+
     /// The quantity on this tick.
     pub(super) fn told(self, quantity: &'static Quantity) -> Told {
         Told { tick: self.0, quantity }

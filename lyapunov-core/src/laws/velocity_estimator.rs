@@ -19,11 +19,7 @@ pub fn velocity_estimator<V: Signal, E: VelocityEstimator<V> + Clone>(
     samples: impl IntoIterator<Item = (PortSample<V>, V)>,
 ) -> Result<(), Violation> {
     let (mut one, mut other) = (estimator.clone(), estimator.clone());
-    for (tick, (sample, effort)) in samples.into_iter().enumerate() {
-        let told = tick_of(Tick(tick), &mut one, &mut other, &sample);
-        told.map_err(|broken| broken.under(&sample, effort))?;
-    }
-    Ok(())
+    Tick::each(samples, |now, sample, _| tick_of(now, &mut one, &mut other, sample))
 }
 
 fn tick_of<V: Signal, E: VelocityEstimator<V> + Clone>(

@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::{Law, Quantity};
+use crate::signal_axes::{axes, axis_of};
 use crate::{PortSample, Scalar, Signal};
 
 /// Breach of a law: which law, at which sample and under which force, with which number, and how far it was allowed.
@@ -91,14 +92,9 @@ pub struct Drive {
 impl Drive {
     fn of<V: Signal>(sample: &PortSample<V>, effort: V, lane: usize) -> Self {
         let size = |signal: V| {
-            let (mut count, mut first) = (0, f64::NAN);
-            signal.map(|axis| {
-                first = if count == 0 { axis.lane(lane) } else { first };
-                count += 1;
-                axis
-            });
-            let norm = signal.inner(signal).sqrt().lane(lane);
-            if count == 1 { first } else { norm }
+            let alone = axes::<V>() == 1;
+            let size = if alone { axis_of(signal, 0) } else { signal.inner(signal).sqrt() };
+            size.lane(lane)
         };
         Self {
             effort: size(effort),

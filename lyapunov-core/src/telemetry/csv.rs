@@ -3,6 +3,7 @@
 use core::fmt;
 
 use super::{RecordedTick, TickRing};
+use crate::signal_axes::{axes, axis_of};
 use crate::{DoubleDouble, Mask, Scalar, Signal};
 
 /// Ticks of a [`TickRing`] as comma-separated values: the log that `lyapunov observe` reads without further settings.
@@ -79,7 +80,7 @@ impl<'a, V: Signal, const N: usize> Csv<'a, V, N> {
         let columns = [sample.position, sample.velocity, acting, correction.effort];
         for axis in 0..axes::<V>() {
             for column in columns {
-                write!(f, ",{:?}", number(column, axis, self.lane))?;
+                write!(f, ",{:?}", axis_of(column, axis).lane(self.lane))?;
             }
         }
         for value in [correction.observed_energy, correction.alpha, correction.shortfall] {
@@ -115,27 +116,4 @@ impl<V: Signal, const N: usize> fmt::Display for Csv<'_, V, N> {
         }
         Ok(())
     }
-}
-
-/// Number of axes of a signal.
-fn axes<V: Signal>() -> usize {
-    let mut count = 0;
-    V::zero().map(|axis| {
-        count += 1;
-        axis
-    });
-    count
-}
-
-/// The number of one axis and lane.
-fn number<V: Signal>(signal: V, axis: usize, lane: usize) -> f64 {
-    let (mut index, mut found) = (0, f64::NAN);
-    signal.map(|value| {
-        if index == axis {
-            found = value.lane(lane);
-        }
-        index += 1;
-        value
-    });
-    found
 }

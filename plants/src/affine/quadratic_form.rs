@@ -1,7 +1,9 @@
 //! Quadratic Lyapunov function.
 
 use lyapunov_core::{LyapunovFunction, ParameterError, Requirement, Scalar, Signal};
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
+
+use crate::elimination::positive_definite;
 
 /// The quadratic form `V = ½ xᵀ P x`, with `∇V = P x`.
 ///
@@ -27,9 +29,8 @@ impl<T: Scalar, const N: usize> QuadraticForm<T, N> {
             }
         }
         for lane in 0..T::LANES {
-            positive_definite::<N>(core::array::from_fn(|i| {
-                core::array::from_fn(|j| rows[i][j].lane(lane))
-            }))?;
+            let alone = SMatrix::<f64, N, N>::from_fn(|i, j| rows[i][j].lane(lane));
+            positive_definite(alone, "pivot of P")?;
         }
         Ok(Self { rows })
     }
@@ -39,21 +40,6 @@ impl<T: Scalar, const N: usize> QuadraticForm<T, N> {
         let one = |i, j| if i == j { T::of(1.0) } else { T::of(0.0) };
         Self { rows: core::array::from_fn(|i| SVector::from_fn(|j, _| one(i, j))) }
     }
-}
-
-/// Gaussian elimination without row exchange: the pivots are the squares of the Cholesky factor's diagonal.
-fn positive_definite<const N: usize>(mut rows: [[f64; N]; N]) -> Result<(), ParameterError> {
-    for i in 0..N {
-        let row = rows[i];
-        let pivot = Requirement::Positive.check("pivot of P", row[i])?;
-        for below in &mut rows[i + 1..] {
-            let factor = below[i] / pivot;
-            for (entry, above) in below.iter_mut().zip(row) {
-                *entry -= factor * above;
-            }
-        }
-    }
-    Ok(())
 }
 
 impl<T: Scalar, const N: usize> LyapunovFunction<SVector<T, N>> for QuadraticForm<T, N> {

@@ -1,6 +1,6 @@
 //! Hardening spring.
 
-use lyapunov_core::{OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
 use crate::{ForceLaw, Kinematics};
 
@@ -57,12 +57,5 @@ impl<V: Signal> ForceLaw<V> for CubicSpring<V> {
         let square = away.inner(away);
         let of = V::Scalar::of;
         of(0.5) * self.stiffness * square + of(0.25) * self.cubic * square * square
-    }
-}
-
-impl<V: Signal> OnePort<V> for CubicSpring<V> {
-    #[inline(always)]
-    fn respond(&mut self, sample: &PortSample<V>) -> V {
-        self.force(&Kinematics::of(sample))
     }
 }

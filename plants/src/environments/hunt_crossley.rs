@@ -1,6 +1,6 @@
 //! Hunt-Crossley contact, whose force does not jump.
 
-use lyapunov_core::{LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement, Scalar};
+use lyapunov_core::{LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar};
 
 use crate::environments::one_sided::one_sided;
 use crate::{DissipationOf, ForceLaw, Kinematics, Surface, Time};
@@ -80,13 +80,6 @@ impl<T: Scalar> ForceLaw<T> for HuntCrossley<T> {
 
     fn surface(&self, _time: Time<T>) -> Option<Surface<T>> {
         Some(Surface { position: self.position, velocity: T::zero() })
-    }
-}
-
-impl<T: Scalar> OnePort<T> for HuntCrossley<T> {
-    #[inline(always)]
-    fn respond(&mut self, sample: &PortSample<T>) -> T {
-        self.force(&Kinematics::of(sample))
     }
 }
 

@@ -1,8 +1,6 @@
 //! Wall of two layers.
 
-use lyapunov_core::{
-    Dissipation, InContact, OnePort, ParameterError, PortSample, Requirement, Scalar,
-};
+use lyapunov_core::{Dissipation, InContact, ParameterError, Requirement, Scalar};
 
 use crate::environments::one_sided::one_sided;
 use crate::{ForceLaw, Kinematics, Surface, Time};
@@ -81,12 +79,5 @@ impl<T: Scalar> ForceLaw<T> for LayeredWall<T> {
 
     fn surface(&self, _time: Time<T>) -> Option<Surface<T>> {
         Some(Surface { position: self.position, velocity: T::zero() })
-    }
-}
-
-impl<T: Scalar> OnePort<T> for LayeredWall<T> {
-    #[inline(always)]
-    fn respond(&mut self, sample: &PortSample<T>) -> T {
-        self.force(&Kinematics::of(sample))
     }
 }

@@ -16,7 +16,7 @@ mod spring;
 mod varying_spring;
 mod wall;
 
-use lyapunov_core::{Scalar, Signal};
+use lyapunov_core::{Angle, Axes, OnePort, PortSample, Scalar, Signal, WithPose};
 
 pub use body_points::BodyPoints;
 pub use cubic_spring::CubicSpring;
@@ -31,6 +31,28 @@ pub use solids::{Contact, Cuboid, NearestPoint, Plane, Solid, Sphere};
 pub use spring::Spring;
 pub use varying_spring::VaryingSpring;
 pub use wall::Wall;
+
+/// Ports that answer with the force of a law without memory.
+macro_rules! answers {
+    ($(impl[$($parameters:tt)*] $law:ty, to $signal:ty);+ $(;)?) => {$(
+        impl<$($parameters)*> OnePort<$signal> for $law {
+            #[inline(always)]
+            fn respond(&mut self, sample: &PortSample<$signal>) -> $signal {
+                self.force(&Kinematics::of(sample))
+            }
+        }
+    )+};
+}
+
+answers! {
+    impl[T: Scalar] Wall<T>, to T;
+    impl[T: Scalar] LayeredWall<T>, to T;
+    impl[T: Scalar] HuntCrossley<T>, to T;
+    impl[T: Angle, F: Axes] OrientationSpring<T>, to WithPose<T, F>;
+    impl[V: Signal] Spring<V>, to V;
+    impl[V: Signal] CubicSpring<V>, to V;
+    impl[V: Signal, S: Solid<V>] Contact<S, V::Scalar>, to V;
+}
 
 lyapunov_core::without_memory! {
     impl[T: Scalar] Wall<T>;

@@ -1,8 +1,8 @@
 //! Orientation spring.
 
 use lyapunov_core::{
-    Angle, Axes, Dissipation, LyapunovCandidate, OnePort, ParameterError, PortSample, Pose,
-    Requirement, Scalar, Screw, Signal, WithPose,
+    Angle, Axes, Dissipation, LyapunovCandidate, ParameterError, PortSample, Pose, Requirement,
+    Scalar, Screw, Signal, WithPose,
 };
 use nalgebra::Vector3;
 
@@ -80,18 +80,10 @@ impl<T: Angle, F: Axes> ForceLaw<WithPose<T, F>> for OrientationSpring<T> {
     }
 }
 
-impl<T: Angle, F: Axes> OnePort<WithPose<T, F>> for OrientationSpring<T> {
-    #[inline]
-    fn respond(&mut self, sample: &PortSample<WithPose<T, F>>) -> WithPose<T, F> {
-        self.force(&Kinematics::of(sample))
-    }
-}
-
 impl<T: Angle, F: Axes> LyapunovCandidate<WithPose<T, F>> for DissipationOf<OrientationSpring<T>> {
     #[inline]
     fn decrease(&mut self, sample: &PortSample<WithPose<T, F>>) -> T {
         let rate = sample.velocity.screw.rotation;
-        let burnt = self.0.damper.damping() * (rate.inner(rate) * sample.period);
-        T::choose(burnt.finite(), burnt, T::of(0.0))
+        self.0.damper.decrease(&PortSample::starting(sample.period, Vector3::zeros(), rate))
     }
 }

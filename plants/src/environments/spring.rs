@@ -1,6 +1,6 @@
 //! Virtual spring, the paper's example 1.
 
-use lyapunov_core::{OnePort, ParameterError, PortSample, Requirement, Scalar, Signal};
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
 use crate::{ForceLaw, Kinematics};
 
@@ -53,12 +53,5 @@ impl<V: Signal> ForceLaw<V> for Spring<V> {
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
         let away = motion.position - self.position;
         V::Scalar::of(0.5) * self.force(motion).inner(away)
-    }
-}
-
-impl<V: Signal> OnePort<V> for Spring<V> {
-    #[inline(always)]
-    fn respond(&mut self, sample: &PortSample<V>) -> V {
-        self.force(&Kinematics::of(sample))
     }
 }

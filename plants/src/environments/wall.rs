@@ -1,8 +1,6 @@
 //! Wall of the paper's evaluation.
 
-use lyapunov_core::{
-    Dissipation, InContact, OnePort, ParameterError, PortSample, Requirement, Scalar,
-};
+use lyapunov_core::{Dissipation, InContact, ParameterError, Requirement, Scalar};
 
 use crate::environments::one_sided::{depth_stored, one_sided};
 use crate::{ForceLaw, Kinematics, Surface, Time};
@@ -76,12 +74,5 @@ impl<T: Scalar> ForceLaw<T> for Wall<T> {
 
     fn surface(&self, _time: Time<T>) -> Option<Surface<T>> {
         Some(Surface { position: self.position, velocity: T::zero() })
-    }
-}
-
-impl<T: Scalar> OnePort<T> for Wall<T> {
-    #[inline(always)]
-    fn respond(&mut self, sample: &PortSample<T>) -> T {
-        self.force(&Kinematics::of(sample))
     }
 }

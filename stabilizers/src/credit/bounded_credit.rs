@@ -6,6 +6,7 @@ use lyapunov_core::{
 
 use crate::LimitCredit;
 use crate::account::lends;
+use crate::credit::limits_credit;
 
 /// Stabilizer that carries at most `most` joules of credit from tick to tick: `L(n) = min(L(n−1), most) − ΔV(n)`.
 ///
@@ -39,12 +40,7 @@ impl<S, T: Scalar> BoundedCredit<S, T> {
     }
 }
 
-impl<T: Scalar, S: LimitCredit<T>> LimitCredit<T> for BoundedCredit<S, T> {
-    #[inline]
-    fn limit_credit(&mut self, most: T) {
-        self.stabilizer.limit_credit(most);
-    }
-}
+limits_credit!(impl[T: Scalar, S: LimitCredit<T>] BoundedCredit<S, T>, in T, of stabilizer);
 
 impl<V: Signal, S: Stabilizer<V> + LimitCredit<V::Scalar>> Stabilizer<V>
     for BoundedCredit<S, V::Scalar>

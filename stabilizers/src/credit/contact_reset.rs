@@ -6,6 +6,7 @@ use lyapunov_core::{
 
 use crate::LimitCredit;
 use crate::account::lends;
+use crate::credit::limits_credit;
 
 /// Stabilizer that forfeits its stored credit on the tick on which a gate opens, before that tick is booked.
 ///
@@ -43,12 +44,7 @@ impl<S, G, T: Scalar> ContactReset<S, G, T> {
     }
 }
 
-impl<T: Scalar, S: LimitCredit<T>, G> LimitCredit<T> for ContactReset<S, G, T> {
-    #[inline]
-    fn limit_credit(&mut self, most: T) {
-        self.stabilizer.limit_credit(most);
-    }
-}
+limits_credit!(impl[T: Scalar, S: LimitCredit<T>, G] ContactReset<S, G, T>, in T, of stabilizer);
 
 impl<V, S, G> Stabilizer<V> for ContactReset<S, G, V::Scalar>
 where

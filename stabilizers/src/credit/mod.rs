@@ -25,3 +25,17 @@ impl<T: Scalar, S: LimitCredit<T> + ?Sized> LimitCredit<T> for &mut S {
         (**self).limit_credit(most);
     }
 }
+
+/// Limit on the credit of a stabilizer that is the credit of one of its fields.
+macro_rules! limits_credit {
+    (impl[$($parameters:tt)*] $type:ty, in $scalar:ty, of $($field:ident).+) => {
+        impl<$($parameters)*> $crate::LimitCredit<$scalar> for $type {
+            #[inline]
+            fn limit_credit(&mut self, most: $scalar) {
+                self.$($field).+.limit_credit(most);
+            }
+        }
+    };
+}
+
+pub(crate) use limits_credit;

@@ -1,6 +1,6 @@
 //! Metric of one direction.
 
-use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{ParameterError, Requirement, Signal, length_and_direction};
 
 use super::Metric;
 
@@ -26,7 +26,8 @@ impl<V: Signal> AlongDirection<V> {
     pub fn new(direction: V) -> Result<Self, ParameterError> {
         // The length, scaled by the largest axis, misses a NaN on one axis.
         Requirement::Finite.check_axes("direction", direction)?;
-        let length = Requirement::Positive.check("direction's length", length(direction))?;
+        let (length, _) = length_and_direction(direction, V::zero());
+        Requirement::Positive.check("direction's length", length)?;
         Ok(Self { direction: direction.map(|axis| axis / length) })
     }
 }
@@ -36,16 +37,4 @@ impl<V: Signal> Metric<V> for AlongDirection<V> {
     fn apply(&self, velocity: V) -> V {
         self.direction.scale(self.direction.inner(velocity))
     }
-}
-
-/// Length `√(Σ xᵢ²)`, without overflow or underflow on the way: the axes are taken in units of the largest.
-fn length<V: Signal>(signal: V) -> V::Scalar {
-    let mut largest = V::Scalar::of(0.0);
-    let _ = signal.map(|axis| {
-        largest = axis.magnitude().larger(largest);
-        axis
-    });
-    let some = largest.above(V::Scalar::of(0.0));
-    let unit = signal.map(|axis| axis / largest);
-    V::Scalar::choose(some, largest * unit.inner(unit).sqrt(), largest)
 }

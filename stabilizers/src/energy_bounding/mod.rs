@@ -9,6 +9,7 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
+use crate::limiting::limiting;
 use crate::range::in_range;
 use band::Band;
 pub use band::{PublishedBand, TightBand};
@@ -182,7 +183,6 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         let unknown = V::Scalar::of(f64::NAN);
         let change = V::Scalar::choose(sample.timed(), sample.work.sum() + burnt, unknown);
         let booked = self.energy.book(change);
-        let sum = self.energy.value();
 
         let band = &self.band;
         let least = self.force.zip(moved, |force, moved| band.ends(force, moved).0);
@@ -195,9 +195,9 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         let within = bounded.zip(size, |force, size| force.larger(-size).smaller(size));
         let bounded = V::choose(share.below(one), within, bounded);
         let accepted = booked & effort.finite() & moved.finite() & bounded.finite();
-        self.force = V::choose(accepted, bounded, V::zero());
-        let shortfall = (-sum).larger(zero);
-        Correction { effort: self.force, observed_energy: sum, alpha: zero, shortfall, accepted }
+        let correction = limiting(bounded, self.energy.value(), accepted);
+        self.force = correction.effort;
+        correction
     }
 }
 

@@ -18,6 +18,7 @@ use lyapunov_core::{
 use nalgebra::{SMatrix, SVector};
 
 use crate::account::{account_in_sum, budget};
+use crate::limiting::limiting;
 use crate::{LimitCredit, StabilizerExt};
 use pipe::Pipe;
 use reset::Reset;
@@ -183,13 +184,7 @@ where
         let given = size.smaller(most);
         let cost = V::Scalar::of(0.25) * sample.period * (given * given / gain);
         self.pipe.push(V::Scalar::choose(accepted, cost.larger(zero), zero));
-        Correction {
-            effort: V::choose(accepted, effort.scale(factor), V::zero()),
-            observed_energy: sum,
-            alpha: zero,
-            shortfall: (-sum).larger(zero),
-            accepted,
-        }
+        limiting(effort.scale(factor), sum, accepted)
     }
 }
 

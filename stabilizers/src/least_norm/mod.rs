@@ -10,7 +10,8 @@ use lyapunov_core::{
 };
 
 use crate::account::{account, budget};
-use crate::{DampingLimit, LimitCredit, StabilizerExt};
+use crate::credit::limits_credit;
+use crate::{DampingLimit, StabilizerExt};
 
 /// A safety filter on an energy: the least correction that keeps the next observed energy above a share of this one,
 /// which is what a quadratic program over a control Lyapunov or barrier function gives with one constraint.
@@ -82,12 +83,7 @@ impl<T: Scalar, C, A: Accumulator<T>> LeastNorm<T, C, A> {
 
 impl<T, C, A> StabilizerExt for LeastNorm<T, C, A> {}
 
-impl<T: Scalar, C, A: Accumulator<T>> LimitCredit<T> for LeastNorm<T, C, A> {
-    #[inline]
-    fn limit_credit(&mut self, most: T) {
-        self.observer.ledger.limit_credit(most);
-    }
-}
+limits_credit!(impl[T: Scalar, C, A: Accumulator<T>] LeastNorm<T, C, A>, in T, of observer.ledger);
 
 impl<V, C, A> Stabilizer<V> for LeastNorm<V::Scalar, C, A>
 where

@@ -1,6 +1,8 @@
 //! Inertia limit: corrections within what the mechanism in its present posture can use.
 
-use lyapunov_core::{Correction, ParameterError, PortSample, Scalar, Signal, Snapshot, Stabilizer};
+use lyapunov_core::{
+    Correction, ParameterError, PortSample, Scalar, Signal, Snapshot, Stabilizer, largest_axis,
+};
 
 use super::{added, portion};
 use crate::account::lends;
@@ -124,7 +126,8 @@ where
         let correction = self.stabilizer.stabilize(sample, effort);
         let added = added(&correction, effort);
         // In units of the largest axis, so that a large correction can be squared.
-        let unit = largest(added);
+        let largest = largest_axis(added);
+        let unit = V::Scalar::choose(largest.above(zero), largest, one);
         let direction = added.map(|axis| axis / unit);
         let power = direction.inner(V::choose(correction.accepted, sample.velocity, V::zero()));
         let yields = self.inertia.inverse_square(direction) * unit;
@@ -135,16 +138,4 @@ where
         let share = V::Scalar::choose(most.below(one), most, whole);
         portion(correction, sample, effort, V::Scalar::choose(braking, share, one))
     }
-}
-
-/// The largest magnitude on an axis, or 1 where all are 0.
-#[inline]
-fn largest<V: Signal>(signal: V) -> V::Scalar {
-    let mut largest = V::Scalar::of(0.0);
-    signal.map(|axis| {
-        largest = axis.magnitude().larger(largest);
-        axis
-    });
-    let some = largest.above(V::Scalar::of(0.0));
-    V::Scalar::choose(some, largest, V::Scalar::of(1.0))
 }

@@ -11,8 +11,10 @@ use lyapunov_core::{
     Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
+use crate::StabilizerExt;
 use crate::account::account;
-use crate::{LimitCredit, StabilizerExt};
+use crate::credit::limits_credit;
+use crate::limiting::limiting;
 
 /// Limits on the energy that a [`Tank`] or an [`EnergyTank`] may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,12 +110,7 @@ impl<T: Scalar, C, A: Accumulator<T>> Tank<T, C, A> {
 
 impl<T, C, A> StabilizerExt for Tank<T, C, A> {}
 
-impl<T: Scalar, C, A: Accumulator<T>> LimitCredit<T> for Tank<T, C, A> {
-    #[inline]
-    fn limit_credit(&mut self, most: T) {
-        self.observer.ledger.limit_credit(most);
-    }
-}
+limits_credit!(impl[T: Scalar, C, A: Accumulator<T>] Tank<T, C, A>, in T, of observer.ledger);
 
 impl<V, C, A> Stabilizer<V> for Tank<V::Scalar, C, A>
 where
@@ -132,13 +129,7 @@ where
         let timed = sample.period.above(zero);
         let accepted =
             (given + sample.period + sample.work.sum()).finite() & effort.finite() & timed;
-        Correction {
-            effort: V::choose(accepted, effort.scale(factor), V::zero()),
-            observed_energy: sum,
-            alpha: zero,
-            shortfall: (-sum).larger(zero),
-            accepted,
-        }
+        limiting(effort.scale(factor), sum, accepted)
     }
 }
 

@@ -12,7 +12,8 @@ use lyapunov_core::{
 };
 
 use crate::account::account;
-use crate::{DampingLimit, LimitCredit, Lolc, StabilizerExt};
+use crate::credit::limits_credit;
+use crate::{DampingLimit, Lolc, StabilizerExt};
 use booking::Booking;
 use one_way::OneWay;
 
@@ -119,14 +120,9 @@ impl<V: Signal, W, A> TwoPortSide<V, W, A> {
 
 impl<V: Signal, W, A> StabilizerExt for TwoPortSide<V, W, A> {}
 
-impl<V: Signal, W: Work, A: Accumulator<V::Scalar>> LimitCredit<V::Scalar>
-    for TwoPortSide<V, W, A>
-{
-    #[inline]
-    fn limit_credit(&mut self, most: V::Scalar) {
-        self.controller.limit_credit(most);
-    }
-}
+limits_credit!(
+    impl[V: Signal, W: Work, A: Accumulator<V::Scalar>] TwoPortSide<V, W, A>, in V::Scalar, of controller
+);
 
 impl<V: Signal, W: Booking, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoPortSide<V, W, A> {
     #[inline]

@@ -27,8 +27,8 @@ pub(super) struct Series<T, const S: usize> {
     fall: Exponential<T>,
 }
 
-/// The most that the last terms may amount to, as a share of the largest: half a rounding.
-const TAIL: f64 = f64::EPSILON / 8.0;
+/// The most that the last terms may amount to, as a share of the whole: half a rounding.
+pub(super) const TAIL: f64 = f64::EPSILON / 8.0;
 
 /// The steps to try, each shorter, before a motion counts as out of range.
 const TRIES: usize = 8;

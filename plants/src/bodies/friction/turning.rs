@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use super::Stribeck;
 use super::root::{ORDER, Polynomial};
+use super::series::TAIL;
 use crate::Impedance;
 
 /// A mass in a plane or in space under a held effort, with friction against its velocity, in one lane.
@@ -24,9 +25,6 @@ pub(super) struct Turning<const N: usize> {
     speed: Polynomial,
     friction: Polynomial,
 }
-
-/// The most that a last term may amount to, as a share of the first.
-const TAIL: f64 = f64::EPSILON / 8.0;
 
 /// The share of the time in which the acceleration would use up the speed that a step may take: a singularity of the
 /// direction, where the device would stop, is at least twice as far.

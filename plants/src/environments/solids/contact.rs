@@ -1,7 +1,7 @@
 //! Contact of a point with a solid.
 
 use lyapunov_core::{
-    Dissipation, LyapunovCandidate, OnePort, ParameterError, PortSample, Requirement, Scalar,
+    Dissipation, InContact, LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar,
     Signal,
 };
 
@@ -68,21 +68,12 @@ impl<V: Signal, S: Solid<V>> ForceLaw<V> for Contact<S, V::Scalar> {
     }
 }
 
-impl<V: Signal, S: Solid<V>> OnePort<V> for Contact<S, V::Scalar> {
-    #[inline]
-    fn respond(&mut self, sample: &PortSample<V>) -> V {
-        self.force(&Kinematics::of(sample))
-    }
-}
-
 impl<V: Signal, S: Solid<V>> LyapunovCandidate<V> for DissipationOf<Contact<S, V::Scalar>> {
     #[inline]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let Self(contact) = self;
         let NearestPoint { depth, normal } = contact.solid.nearest(sample.position);
-        let leaving = sample.velocity.inner(normal);
-        let burnt = contact.damper.damping() * (leaving * leaving * sample.period);
-        let zero = V::Scalar::of(0.0);
-        V::Scalar::choose(depth.above(zero) & burnt.finite(), burnt, zero)
+        let inside = PortSample::starting(sample.period, depth, sample.velocity.inner(normal));
+        contact.damper.gated(InContact { position: V::Scalar::of(0.0) }).decrease(&inside)
     }
 }

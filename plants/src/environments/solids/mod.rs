@@ -1,6 +1,5 @@
 //! Solids on ports of several axes, and the contact with them.
 
-mod axes;
 mod contact;
 mod cuboid;
 mod plane;

@@ -1,8 +1,7 @@
 //! Half-space.
 
-use lyapunov_core::{ParameterError, Requirement, Signal};
+use lyapunov_core::{ParameterError, Requirement, Signal, largest_axis, length_and_direction};
 
-use super::axes::{largest_axis, length_and_direction};
 use crate::{NearestPoint, Solid};
 
 /// The half-space below a plane: `p = (point − x)·n`.

@@ -1,9 +1,8 @@
 //! Ball.
 
-use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
+use lyapunov_core::{ParameterError, Requirement, Scalar, Signal, length_and_direction};
 use nalgebra::SVector;
 
-use super::axes::length_and_direction;
 use crate::{NearestPoint, Solid};
 
 /// A ball, on two axes a disc: `p = radius − |x − center|`, `n = (x − center) / |x − center|`.

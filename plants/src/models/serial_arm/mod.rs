@@ -8,6 +8,7 @@ use lyapunov_core::{Mechanics, ParameterError, Pose, Requirement, Scalar, Signal
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3, Vector4};
 
 use super::trigonometry::{cos, sin};
+use crate::elimination::{positive_definite, solved};
 
 /// A link of a [`SerialArm`] with the joint before it, by the parameters of Denavit and Hartenberg in Craig's form.
 ///
@@ -100,11 +101,7 @@ impl<T: Scalar, const N: usize> SerialArm<T, N> {
             [sin(angle), cos(angle)]
         });
         let arm = Self { links, twists, tool };
-        let mut inertia = arm.at(SVector::zeros()).inertia();
-        for joint in 0..N {
-            Requirement::Positive.check("pivot of the inertia", inertia[(joint, joint)])?;
-            posture::eliminate(&mut inertia, joint);
-        }
+        positive_definite(arm.at(SVector::zeros()).inertia(), "pivot of the inertia")?;
         Ok(arm)
     }
 
@@ -147,6 +144,6 @@ impl<T: Scalar, const N: usize> Mechanics<SVector<T, N>> for SerialArm<T, N> {
     ) -> SVector<T, N> {
         let posture = self.at(angles);
         let bias = posture.torques(rates, SVector::zeros());
-        posture::solved(posture.inertia(), -(effort + bias))
+        solved(posture.inertia(), -(effort + bias))
     }
 }

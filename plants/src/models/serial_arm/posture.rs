@@ -160,37 +160,3 @@ fn turned<T: Scalar>(link: &ArmLink<T>, frame: &Pose<T>, rate: Vector3<T>) -> Ve
 fn unit<T: Scalar>(axis: usize) -> Vector3<T> {
     Vector3::from_fn(|row, _| T::of(if row == axis { 1.0 } else { 0.0 }))
 }
-
-/// Gauss' elimination of one column of a symmetric matrix below its diagonal.
-pub(super) fn eliminate<T: Scalar, const N: usize>(matrix: &mut SMatrix<T, N, N>, column: usize) {
-    for row in column + 1..N {
-        let factor = matrix[(row, column)] / matrix[(column, column)];
-        for other in column + 1..N {
-            let part = factor * matrix[(column, other)];
-            matrix[(row, other)] -= part;
-        }
-        matrix[(row, column)] = factor;
-    }
-}
-
-/// The solution `x` of `matrix · x = right` for a matrix that is positive definite.
-pub(super) fn solved<T: Scalar, const N: usize>(
-    mut matrix: SMatrix<T, N, N>,
-    mut right: SVector<T, N>,
-) -> SVector<T, N> {
-    for column in 0..N {
-        eliminate(&mut matrix, column);
-        for row in column + 1..N {
-            let part = matrix[(row, column)] * right[column];
-            right[row] -= part;
-        }
-    }
-    for column in (0..N).rev() {
-        for other in column + 1..N {
-            let part = matrix[(column, other)] * right[other];
-            right[column] -= part;
-        }
-        right[column] = right[column] / matrix[(column, column)];
-    }
-    right
-}
