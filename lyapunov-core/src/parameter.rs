@@ -14,7 +14,8 @@ use crate::{Mask, Scalar, Signal};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ParameterError {
-    /// The parameter's name.
+    /// The parameter's name in words, as a sentence has it: `damping cap`, `operator mass`. Of a field or an argument that a
+    /// program knows by a shorter name, the words say of what it is: `watchdog hold`.
     pub parameter: &'static str,
     /// The given value; of lanes, the first that is not right.
     pub value: f64,

@@ -31,7 +31,7 @@ impl<T: Scalar> DampingLimit<T> {
     /// # Errors
     /// `damping_cap` below 0 or NaN; `mass` or `period` not above 0 and finite.
     pub fn of_mass(damping_cap: T, mass: T, period: T) -> Result<Self, ParameterError> {
-        let cap = Requirement::Limit.check("damping_cap", damping_cap)?;
+        let cap = Requirement::Limit.check("damping cap", damping_cap)?;
         let mass = Requirement::Positive.check("mass", mass)?;
         let period = Requirement::Positive.check("period", period)?;
         Ok(Self::finite(cap * mass / period))
@@ -47,7 +47,7 @@ impl<T: Scalar> DampingLimit<T> {
     /// # Errors
     /// `mobility_cap` below 0 or NaN; `stiffness` or `period` not above 0 and finite.
     pub fn of_stiffness(mobility_cap: T, stiffness: T, period: T) -> Result<Self, ParameterError> {
-        let cap = Requirement::Limit.check("mobility_cap", mobility_cap)?;
+        let cap = Requirement::Limit.check("mobility cap", mobility_cap)?;
         let stiffness = Requirement::Positive.check("stiffness", stiffness)?;
         let period = Requirement::Positive.check("period", period)?;
         let product = stiffness * period;
@@ -61,7 +61,7 @@ impl<T: Scalar> DampingLimit<T> {
     /// # Errors
     /// `damping` below 0 or NaN.
     pub fn at(damping: T) -> Result<Self, ParameterError> {
-        Ok(Self::finite(Requirement::Limit.check("damping_limit", damping)?))
+        Ok(Self::finite(Requirement::Limit.check("damping limit", damping)?))
     }
 
     /// The limit for a force that acts `ticks` periods late: the same share of the largest damper under which a mass

@@ -108,8 +108,8 @@ fn forms_periods_and_rates_are_refused_by_name() {
     let form = |a, b, c, d| name(QuadraticForm::new([Vector2::new(a, b), Vector2::new(c, d)]));
     assert_eq!(form(2.0, 1.0, 1.0, 1.0), "nothing");
     assert_eq!(form(2.0, 1.0, 0.9, 1.0), "P less its transpose");
-    assert_eq!(form(1.0, 2.0, 2.0, 1.0), "pivot of P");
-    assert_eq!(form(0.0, 0.0, 0.0, 1.0), "pivot of P");
+    assert_eq!(form(1.0, 2.0, 2.0, 1.0), "P's pivot");
+    assert_eq!(form(0.0, 0.0, 0.0, 1.0), "P's pivot");
     assert_eq!(form(f64::NAN, 0.0, 0.0, 1.0), "P");
     let circle = QuadraticForm::<f64, 2>::sum_of_squares();
     let oscillator = VanDerPol::new(1.0).expect("a parameter");

@@ -28,7 +28,7 @@ fn invalid_parameters_are_refused_by_name() {
         .expect("parts")
         .made_of(no_link)
         .expect_err("no link");
-    assert_eq!((error.parameter, error.requirement), ("link.stiffness", Requirement::Positive));
+    assert_eq!((error.parameter, error.requirement), ("link stiffness", Requirement::Positive));
 
     let dynamics = Oscillator::new(hand::<f32>()).expect("parts");
     let stepped = |period, steps| {

@@ -154,8 +154,8 @@ fn what_is_no_arm_is_refused() {
     assert_eq!(refused(ArmLink { twist: f64::INFINITY, ..link }), "twist");
     assert_eq!(refused(ArmLink { offset: f64::NAN, ..link }), "offset");
     assert_eq!(refused(ArmLink { mass: -1.0, ..link }), "mass");
-    assert_eq!(refused(ArmLink { mass: 0.0, ..link }), "pivot of the inertia");
-    assert_eq!(refused(ArmLink { centre: Vector3::zeros(), ..link }), "pivot of the inertia");
+    assert_eq!(refused(ArmLink { mass: 0.0, ..link }), "inertia's pivot");
+    assert_eq!(refused(ArmLink { centre: Vector3::zeros(), ..link }), "inertia's pivot");
     let lost = Vector3::new(f64::NAN, 0.0, 0.0);
     assert_eq!(refused(ArmLink { centre: lost, ..link }), "centre or inertia");
     // A matrix from one triangle would not be the one whose entries make torques.

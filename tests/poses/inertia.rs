@@ -177,6 +177,6 @@ fn what_is_no_inertia_is_refused() {
     let popc = Popc::new(PortEnergy, DampingLimit::at(1.0).expect("a limit"));
     let refused =
         |cap, period| InertiaLimit::new(popc, arm_inertia, cap, period).expect_err("no").parameter;
-    assert_eq!(refused(-1.0, PERIOD), "damping_cap");
+    assert_eq!(refused(-1.0, PERIOD), "damping cap");
     assert_eq!(refused(0.5, 0.0), "period");
 }

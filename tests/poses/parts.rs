@@ -62,7 +62,7 @@ fn limits_are_of_mass_and_of_inertia() {
     let of = |cap, mass, moment, period| {
         PartLimits::of_body(cap, BodyInertia { mass, moment }, period).expect_err("refused")
     };
-    assert_eq!(of(-1.0, 1.0, 1.0, 1.0).parameter, "damping_cap");
+    assert_eq!(of(-1.0, 1.0, 1.0, 1.0).parameter, "damping cap");
     assert_eq!(of(0.5, 0.0, 1.0, 1.0).parameter, "mass");
     assert_eq!(of(0.5, 1.0, f64::NAN, 1.0).parameter, "moment of inertia");
     assert_eq!(of(0.5, 1.0, 1.0, 0.0).parameter, "period");

@@ -216,8 +216,8 @@ fn bad_parameters_are_named() {
     assert_eq!(error(f64::NAN, 1.0, 0.1), Some(("coulomb", not_negative)));
     assert_eq!(error(0.0, f64::INFINITY, 0.1), Some(("static", not_negative)));
     assert_eq!(error(1.5, 1.0, 0.1), Some(("coulomb", Requirement::AtMost(1.0))));
-    assert_eq!(error(0.5, 1.0, 0.0), Some(("stribeck_velocity", positive)));
-    assert_eq!(error(0.5, 1.0, f64::INFINITY), Some(("stribeck_velocity", positive)));
+    assert_eq!(error(0.5, 1.0, 0.0), Some(("stribeck velocity", positive)));
+    assert_eq!(error(0.5, 1.0, f64::INFINITY), Some(("stribeck velocity", positive)));
     assert_eq!(error(0.0, 0.0, 0.1), None);
     let parts = Impedance { mass: -1.0, ..parts };
     let error = Friction::new(body, parts, law(0.0, 1.0, 0.1)).expect_err("an error");

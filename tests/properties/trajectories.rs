@@ -259,7 +259,7 @@ fn invalid_trajectories_are_refused() {
             (trajectory(Samples::new([(1.0, bad)], 1.0).map(|c| at(&c, 0))), ("value", Finite)),
             (
                 trajectory(Samples::new([(1.0, 1.0)], bad).map(|c| at(&c, 0))),
-                ("servo_rate", Positive),
+                ("servo rate", Positive),
             ),
         ];
         for (found, expected) in cases {
@@ -268,7 +268,7 @@ fn invalid_trajectories_are_refused() {
     }
     let refused = |made: Result<f64, _>, expected| assert_eq!(of(made), expected);
     refused(Sine::new(1e308, 1e308, 1.0, 1.0).map(|c| at(&c, 0)), ("amplitude", InRange));
-    refused(Step::new(0.0, 1.0, 1.0, 0.0).map(|c| at(&c, 0)), ("servo_rate", Positive));
+    refused(Step::new(0.0, 1.0, 1.0, 0.0).map(|c| at(&c, 0)), ("servo rate", Positive));
     refused(Samples::new([], 1.0).map(|c| at(&c, 0)), ("rows", AtLeast(1.0)));
     let falling = Samples::new([(1.0, 0.0), (0.5, 0.0)], 1.0);
     refused(falling.map(|c| at(&c, 0)), ("t", AtLeast(1.0)));

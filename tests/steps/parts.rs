@@ -166,7 +166,7 @@ fn limits_are_of_mass_and_of_moment() {
         let error = limits.expect_err("refused");
         (error.parameter, error.value)
     };
-    assert_eq!(refused(of(-1.0, 1.0, 1.0, 1.0)), ("damping_cap", -1.0));
+    assert_eq!(refused(of(-1.0, 1.0, 1.0, 1.0)), ("damping cap", -1.0));
     assert_eq!(refused(of(0.5, 0.0, 1.0, 1.0)), ("mass", 0.0));
     assert_eq!(refused(of(0.5, 1.0, -2.0, 1.0)), ("moment of inertia", -2.0));
     assert_eq!(refused(of(0.5, 1.0, 1.0, 0.0)), ("period", 0.0));

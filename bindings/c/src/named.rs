@@ -15,11 +15,12 @@ pub(crate) fn named<R>(
 /// Parameters of the library that fields and arguments have other names for.
 ///
 /// Only a text is made by them, so that a program which asks for none does without.
-const NAMES: [(&str, &str); 36] = [
+const NAMES: [(&str, &str); 37] = [
     ("barrier decay", "decay"),
     ("compensation speed", "speed"),
     ("correction rate", "rate"),
-    ("damping_cap", "cap"),
+    ("damping cap", "cap"),
+    ("damping limit", "damping_limit"),
     ("damping", "device_damping"),
     ("debt carried over", "debt"),
     ("device damping", "damping"),
@@ -31,7 +32,7 @@ const NAMES: [(&str, &str); 36] = [
     ("follower stiffness", "stiffness"),
     ("granted credit", "energy"),
     ("memory depth", "depth"),
-    ("mobility_cap", "cap"),
+    ("mobility cap", "cap"),
     ("most stored credit", "most"),
     ("plausible effort", "effort"),
     ("plausible speed", "speed"),

@@ -49,8 +49,8 @@ pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
 const ARGUMENTS: [(&str, &str); 12] = [
     ("barrier decay", "decay"),
     ("correction rate", "rate"),
-    ("damping_cap", "cap"),
-    ("damping_limit", "limit"),
+    ("damping cap", "cap"),
+    ("damping limit", "limit"),
     ("device damping", "damping"),
     ("energy-bounding c1", "c1"),
     ("energy-bounding c2", "c2"),

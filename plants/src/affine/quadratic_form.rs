@@ -30,7 +30,7 @@ impl<T: Scalar, const N: usize> QuadraticForm<T, N> {
         }
         for lane in 0..T::LANES {
             let alone = SMatrix::<f64, N, N>::from_fn(|i, j| rows[i][j].lane(lane));
-            positive_definite(alone, "pivot of P")?;
+            positive_definite(alone, "P's pivot")?;
         }
         Ok(Self { rows })
     }

@@ -94,7 +94,7 @@ fn in_range<T: Scalar>(device: T, maps: &Maps<T>) -> Result<(), ParameterError> 
             finite = finite & entry.finite();
         }
     }
-    Requirement::InRange.require("device.mass", device, finite)
+    Requirement::InRange.require("device mass", device, finite)
 }
 
 /// The gains over `interval`, by one function for every signal of a scalar.

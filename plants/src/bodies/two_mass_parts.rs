@@ -46,13 +46,13 @@ impl<T: Scalar> TwoMassParts<T> {
 
     pub(crate) fn checked(self) -> Result<Self, ParameterError> {
         let Self { operator, device, link } = self;
-        Requirement::Positive.check("operator.mass", operator.mass)?;
-        Requirement::NonNegative.check("operator.damping", operator.damping)?;
-        Requirement::NonNegative.check("operator.stiffness", operator.stiffness)?;
-        Requirement::Positive.check("device.mass", device.mass)?;
-        Requirement::NonNegative.check("device.damping", device.damping)?;
-        Requirement::Positive.check("link.stiffness", link.stiffness)?;
-        Requirement::NonNegative.check("link.damping", link.damping)?;
+        Requirement::Positive.check("operator mass", operator.mass)?;
+        Requirement::NonNegative.check("operator damping", operator.damping)?;
+        Requirement::NonNegative.check("operator stiffness", operator.stiffness)?;
+        Requirement::Positive.check("device mass", device.mass)?;
+        Requirement::NonNegative.check("device damping", device.damping)?;
+        Requirement::Positive.check("link stiffness", link.stiffness)?;
+        Requirement::NonNegative.check("link damping", link.damping)?;
         Ok(self)
     }
 }

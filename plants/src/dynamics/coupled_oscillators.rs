@@ -32,8 +32,8 @@ impl<T: Scalar> CoupledOscillators<T> {
         let held = one + operator.stiffness + operator.damping + link.stiffness + link.damping;
         let led = one + device.damping + link.stiffness + link.damping;
         let (held, led) = (held / operator.mass, led / device.mass);
-        Requirement::InRange.require("operator.mass", operator.mass, held.finite())?;
-        Requirement::InRange.require("device.mass", device.mass, led.finite())?;
+        Requirement::InRange.require("operator mass", operator.mass, held.finite())?;
+        Requirement::InRange.require("device mass", device.mass, led.finite())?;
         Ok(Self { parts, per_operator: one / operator.mass, per_device: one / device.mass })
     }
 

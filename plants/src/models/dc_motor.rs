@@ -48,7 +48,7 @@ impl<T: Scalar> DcMotor<T> {
     pub fn new(parts: MotorParts<T>) -> Result<Self, ParameterError> {
         Requirement::Positive.check("inertia", parts.inertia)?;
         Requirement::NonNegative.check("friction", parts.friction)?;
-        Requirement::Positive.check("torque_constant", parts.torque_constant)?;
+        Requirement::Positive.check("torque constant", parts.torque_constant)?;
         Requirement::Positive.check("resistance", parts.resistance)?;
         Requirement::Positive.check("inductance", parts.inductance)?;
         Ok(Self { parts })

@@ -27,7 +27,7 @@ pub(super) struct Clock {
 
 impl Clock {
     pub(super) fn new(servo_rate: f64) -> Result<Self, ParameterError> {
-        let rate = Requirement::Positive.check("servo_rate", servo_rate)?;
+        let rate = Requirement::Positive.check("servo rate", servo_rate)?;
         Ok(Self { rate })
     }
 

@@ -149,7 +149,7 @@ impl Draft {
             format!("`{one}` and `{other}` together are beyond the range of {scalar}")
         };
         let (keys, problem) = match (error.parameter, error.requirement) {
-            ("mass" | "device.mass", Requirement::InRange) => {
+            ("mass" | "device mass", Requirement::InRange) => {
                 let mut keys = vec![mass, damping, theirs[0], theirs[1], theirs[2], rate];
                 keys.extend(self.further_parts());
                 (keys, format!("the motion within one period is beyond the range of {scalar}"))
@@ -247,12 +247,11 @@ impl Draft {
 
     /// The key of the value that a block rejected, and the value there.
     fn holder(&self, error: &ParameterError) -> Option<(String, f64)> {
-        let name = error.parameter.rsplit([' ', '.']).next().unwrap_or(error.parameter);
         let single = self.scalar == Scalar::F32;
         let scene = toml::Value::try_from(self).ok()?;
         find(&scene, "", &|key, value| {
             let held = if single { f64::from(value as f32) } else { value };
-            key.rsplit('.').next() == Some(name) && held == error.value
+            is_named(key, error.parameter) && held == error.value
         })
     }
 
@@ -314,6 +313,12 @@ fn lost(key: String, value: f64) -> Conflict {
 pub(crate) fn standing_out(keys: Vec<(&str, f64)>) -> Option<(&str, f64)> {
     let odd = |value: f64| if value > 0.0 { value.log10().abs() } else { 0.0 };
     keys.into_iter().max_by(|one, other| odd(one.1).total_cmp(&odd(other.1)))
+}
+
+/// Whether a block's name for a parameter, words such as `encoder resolution`, ends with the last part of `key`.
+fn is_named(key: &str, parameter: &str) -> bool {
+    let last = key.rsplit('.').next().unwrap_or(key).replace('_', " ");
+    parameter.strip_suffix(&last).is_some_and(|before| before.is_empty() || before.ends_with(' '))
 }
 
 /// The first number of a serialized scene for which `is` holds, given its key; with its table path.

@@ -282,7 +282,7 @@ fn errors_name_entrant_and_scene() {
     let entrants = Entrants::<f64>::standard()
         .with("odd", move |_| lyapunov::DampingLimit::at(-tiny).map(|_| Damper(1.0)));
     let error = Comparison::of("here", &scene(""), &entrants).unwrap_err().to_string();
-    assert!(error.starts_with("here: odd cannot run here: damping_limit is -0.01"), "{error}");
+    assert!(error.starts_with("here: odd cannot run here: damping limit is -0.01"), "{error}");
 
     let stop = |_| std::ops::ControlFlow::Break(());
     let stopped = Comparison::watched("s", &scene(""), &Entrants::<f64>::standard(), &stop);

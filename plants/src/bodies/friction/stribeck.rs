@@ -18,7 +18,7 @@ impl<T: Scalar> Stribeck<T> {
     pub(crate) fn checked(self) -> Result<Self, ParameterError> {
         let coulomb = Requirement::NonNegative.check("coulomb", self.coulomb)?;
         let breakaway = Requirement::NonNegative.check("static", self.breakaway)?;
-        Requirement::Positive.check("stribeck_velocity", self.stribeck_velocity)?;
+        Requirement::Positive.check("stribeck velocity", self.stribeck_velocity)?;
         match (0..T::LANES).find(|&lane| coulomb.lane(lane) > breakaway.lane(lane)) {
             None => Ok(self),
             Some(lane) => Err(ParameterError {

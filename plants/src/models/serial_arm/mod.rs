@@ -101,7 +101,7 @@ impl<T: Scalar, const N: usize> SerialArm<T, N> {
             [sin(angle), cos(angle)]
         });
         let arm = Self { links, twists, tool };
-        positive_definite(arm.at(SVector::zeros()).inertia(), "pivot of the inertia")?;
+        positive_definite(arm.at(SVector::zeros()).inertia(), "inertia's pivot")?;
         Ok(arm)
     }
 
