@@ -19,7 +19,7 @@ use nalgebra::{Vector1, Vector2};
 use num_dual::{Dual64, DualNum};
 
 const PERIOD: f64 = 0.02;
-const LATE: usize = 150; // ticks
+const LATE: u32 = 150; // ticks
 const START: Vector2<f64> = Vector2::new(0.3, 0.0); // counted from the equilibrium
 
 #[derive(Clone, Copy)]
@@ -61,7 +61,7 @@ fn run(damping_cap: f64) -> Result<[f64; 6], ParameterError> {
     let limit = DampingLimit::of_mass(damping_cap, 0.25, PERIOD)?;
     let candidate = (decrease_of(Balance, START), Decay::new(Balance, 0.2)?);
     let mut port = StateFeedback::new(|x: Vector2<f64>| Vector1::new(-0.2 * x[1]))
-        .delayed::<LATE>(LATE)?
+        .delayed::<256>(LATE)?
         .stabilized(Lolc::new(candidate, limit));
     let mut sample = plant.start();
     let mut most = [0.0_f64; 6];

@@ -18,7 +18,7 @@ use lyapunov::{
 use nalgebra::{Vector1, Vector2};
 
 const PERIOD: f64 = 1e-3; // s
-const LATE: usize = 120; // ticks
+const LATE: u32 = 120; // ticks
 const START: Vector2<f64> = Vector2::new(0.1, 0.0); // rad, rad/s
 
 /// The largest lean in each of eight seconds, degrees; 180 is hanging.
@@ -31,7 +31,7 @@ fn run(most_damping: f64) -> Result<[f64; 8], ParameterError> {
     let limit = DampingLimit::at(most_damping)?;
     let mut port =
         StateFeedback::new(|x: Vector2<f64>| Vector1::new(-stiffness * x[0] - damping * x[1]))
-            .delayed::<LATE>(LATE)?
+            .delayed::<128>(LATE)?
             .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 1.0)?), limit));
 
     let mut sample = plant.start();

@@ -18,7 +18,7 @@ use lyapunov::{
 use nalgebra::{Vector2, Vector4};
 
 const PERIOD: f64 = 1e-3; // s
-const LATE: usize = 20; // ticks
+const LATE: u32 = 20; // ticks
 const START: Vector4<f64> = Vector4::new(0.3, -0.4, 0.0, 0.0); // lifted, rad; at rest, rad/s
 
 /// The leg's energy at the end of each half second, J, and the largest depth of the foot, mm.
@@ -36,7 +36,7 @@ fn run(damping_cap: f64) -> Result<([f64; 6], f64), ParameterError> {
         let joint = |j: usize| holding[j] - stiffness[j] * x[j] - damping[j] * x[2 + j];
         Vector2::new(joint(0), joint(1))
     })
-    .delayed::<LATE>(LATE)?
+    .delayed::<32>(LATE)?
     .stabilized(Lolc::new((decrease_of(energy, START), Decay::new(energy, 2.0)?), limit));
 
     let mut sample = plant.start();

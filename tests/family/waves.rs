@@ -64,7 +64,7 @@ fn power_is_the_difference_of_the_waves() {
 /// The energy that went in at both ends is what is under way, tick by tick, and that is a sum of squares.
 #[test]
 fn a_constant_delay_stores_what_is_under_way() {
-    for ticks in 0..8usize {
+    for ticks in 0..8_u32 {
         let wave = WaveTransform::new(1.3).expect("an impedance");
         let mut there = ConstantDelay::<f64, 8>::new(ticks, 0.0).expect("a delay");
         let mut back = ConstantDelay::<f64, 8>::new(ticks, 0.0).expect("a delay");
@@ -79,7 +79,7 @@ fn a_constant_delay_stores_what_is_under_way() {
             returning = back.carry(wave_back);
             sent.push((wave_there, wave_back));
             // What returns is used on the next tick, so one more of those is under way.
-            let from = (tick + 1usize).saturating_sub(ticks);
+            let from = (tick + 1usize).saturating_sub(ticks as usize);
             let squares: f64 = sent[from..].iter().map(|(u, w)| u * u + w * w).sum();
             let waiting = squares + returning * returning;
             let under_way = waiting * PERIOD / 2.0;

@@ -15,7 +15,7 @@ use crate::support::{
 const ROOM: usize = 16;
 
 /// The samples that a port inside a window of up to `ticks` receives.
-fn told<V: Port>(ticks: usize, band: V::Scalar, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
+fn told<V: Port>(ticks: u32, band: V::Scalar, drives: &[PortSample<V>]) -> Vec<PortSample<V>> {
     let mut spy = Spy::on(Scripted::of(Vec::new()));
     let mut port = (&mut spy).windowed::<ROOM>(ticks, band).expect("a window");
     for sample in drives {
@@ -42,7 +42,7 @@ fn through<V: Port>(period: V::Scalar, positions: &[V]) -> Vec<PortSample<V>> {
 }
 
 /// The window at the last of these counts, in whole numbers: every line against every count between.
-fn window(counts: &[i64], ticks: usize, band: i64) -> usize {
+fn window(counts: &[i64], ticks: u32, band: i64) -> usize {
     let now = counts.len() - 1;
     let fits = |i: usize| {
         (1..i).all(|j| {
@@ -50,7 +50,7 @@ fn window(counts: &[i64], ticks: usize, band: i64) -> usize {
             (i as i64 * (counts[now] - counts[now - j]) - along).abs() <= i as i64 * band
         })
     };
-    (1..=ticks.min(now)).take_while(|i| fits(*i)).last().unwrap_or(0)
+    (1..=now.min(ticks as usize)).take_while(|i| fits(*i)).last().unwrap_or(0)
 }
 
 /// A motion in counts: rests, steady motion, jerks and chatter.
@@ -78,7 +78,7 @@ mod check {
     /// Counts of any resolution, with a band of some counts: lines just one band off are in, farther ones out.
     pub(super) fn windows_are_the_longest<V: Port>() {
         let samples = vec(uniform16(any::<Bits>()), 1..40);
-        hold(CASES / 4, (1..=ROOM, any::<Bits>(), samples), |(ticks, bits, samples)| {
+        hold(CASES / 4, (1..=ROOM as u32, any::<Bits>(), samples), |(ticks, bits, samples)| {
             let period = V::Scalar::of(1e-3);
             let resolution = V::Scalar::of(log_between(bits, 1e-7, 1e-3));
             let band = (bits % 3) as i64;
@@ -142,7 +142,7 @@ mod check {
             V::Scalar::of(slope * (n - after) as f64 - 1.25 * after as f64 + 8.0)
         };
         let positions: Vec<V> = (0..60).map(|n| V::from_axes(|axis| at(n, axis))).collect();
-        for (n, told) in told(ROOM, zero, &through(period, &positions)).iter().enumerate() {
+        for (n, told) in told(ROOM as u32, zero, &through(period, &positions)).iter().enumerate() {
             for axis in 0..V::AXES {
                 let i = if n > kink { ROOM.min(n - kink) } else { ROOM.min(n) };
                 let before = at(n - i, axis).f64();
@@ -192,7 +192,7 @@ fn wrong_windows_are_refused() {
     let spring = Spring::<f64>::new(1.0).expect("a spring");
     for ticks in [0, 5] {
         let error = spring.windowed::<4>(ticks, 0.0).expect_err("wrong ticks");
-        assert_eq!((error.parameter, error.value), ("window ticks", ticks as f64));
+        assert_eq!((error.parameter, error.value), ("window ticks", f64::from(ticks)));
     }
     let least = "ticks is 0.0; it must be at least 1.0 and finite";
     let none = spring.windowed::<4>(0, 0.0).expect_err("no ticks").to_string();

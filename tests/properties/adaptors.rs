@@ -120,7 +120,7 @@ mod check {
 
     /// `f(n − d)`, and 0 for `n < d`, for every d within the capacity.
     pub(super) fn delay_shifts<V: Port>() {
-        hold(CASES, (0..6usize, samples()), |(ticks, samples)| {
+        hold(CASES, (0..6u32, samples()), |(ticks, samples)| {
             let (drives, efforts) = sequence::<V>(&samples);
             let delayed = Scripted::of(efforts.clone()).delayed::<4>(ticks);
             if ticks > 4 {
@@ -129,7 +129,8 @@ mod check {
             }
             let mut delayed = delayed.expect("room for it");
             for (tick, sample) in drives.iter().enumerate() {
-                let expected = tick.checked_sub(ticks).map_or_else(V::zero, |then| efforts[then]);
+                let expected =
+                    tick.checked_sub(ticks as usize).map_or_else(V::zero, |then| efforts[then]);
                 prop_assert!(same_axes(delayed.respond(sample), expected), "at tick {tick}");
             }
             Ok(())

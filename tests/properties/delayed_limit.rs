@@ -23,7 +23,7 @@ impl OnePort<f64> for Damper {
 
 /// The largest speed of a free mass in the second half of a long run over that in the first half, under a damper of
 /// `share` of m / T that is `ticks` late.
-fn growth(share: f64, ticks: usize, differenced: bool) -> f64 {
+fn growth(share: f64, ticks: u32, differenced: bool) -> f64 {
     let parts = Impedance { mass: MASS, damping: 0.0, stiffness: 0.0 };
     let mut plant = Body::new(parts, PERIOD).expect("a body").starting(0.0, 0.1);
     let damper = Damper(share * MASS / PERIOD);
@@ -69,7 +69,7 @@ fn the_limit_is_a_quarter_of_what_grows() -> Result<(), ParameterError> {
         let share = half.delayed(ticks).most() * PERIOD / MASS;
         let grows = 2.0 * (PI / (4.0 * (f64::from(ticks) + 1.0))).tan();
         assert_abs_diff_eq!(share, grows / 4.0, epsilon = 1e-15);
-        assert!(growth(share, ticks as usize, true) < 1e-3);
+        assert!(growth(share, ticks, true) < 1e-3);
     }
     // An infinite limit becomes finite under a delay; a limit of 0 stays 0.
     let endless: DampingLimit<f32> = DampingLimit::at(f32::INFINITY)?;

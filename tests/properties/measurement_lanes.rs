@@ -46,7 +46,7 @@ impl Parameters {
             deviation.lane(lane) * (self.bits[3] >> (first + lane) & 1) as f64
         });
         let dropped = environment.dropped(self.each(first, 3, 1e-2, 1.0), policy, seed(4))?;
-        let ticks = 1 + (self.bits[5] % 6) as usize;
+        let ticks = 1 + (self.bits[5] % 6) as u32;
         let mut filtered = dropped
             .low_passed(self.each(first, 6, 1.0, 1e3))?
             .encoded(self.each(first, 7, 1e-6, 1e-4))?

@@ -76,7 +76,7 @@ impl Parameters {
             .stabilized(stabilizer)
             .saturated(self.each(first, 8, 1.0, 20.0))
             .expect("a saturation")
-            .delayed::<2>((self.bits[9] % 3) as usize)
+            .delayed::<2>((self.bits[9] % 3) as u32)
             .expect("a delay")
             .differenced()
             .encoded(self.each(first, 10, 1e-7, 1e-4))

@@ -139,7 +139,7 @@ fn closed<V: Port>(
         .stabilized(Lolc::new(PortEnergy, looped.limit()))
         .saturated(force)
         .expect("a saturation")
-        .delayed::<3>((bits[14] % 4) as usize)
+        .delayed::<3>((bits[14] % 4) as u32)
         .expect("a delay");
     if bits[15] & 1 == 0 { looped.run(port) } else { looped.run(port.differenced()) }
 }
@@ -229,7 +229,7 @@ mod walls {
             let resolution = T::of(log_between(bits[12], 1e-6, 1e-3));
             let port = wall::<T>(&bits)
                 .stabilized(Lolc::new(PortEnergy, looped.limit()))
-                .delayed::<3>((bits[14] % 4) as usize)
+                .delayed::<3>((bits[14] % 4) as u32)
                 .expect("a delay")
                 .differenced()
                 .encoded(resolution)

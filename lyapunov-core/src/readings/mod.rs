@@ -173,7 +173,7 @@ impl<V: Signal, E, C, P: Track<V>> Readings<V, E, C, P> {
     /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
     pub fn windowed<const N: usize>(
         self,
-        ticks: usize,
+        ticks: u32,
         band: V::Scalar,
     ) -> Result<Readings<V, Windowed<V, N>, C, P>, ParameterError> {
         Ok(self.estimated_by(Windowed::new(ticks, band)?))

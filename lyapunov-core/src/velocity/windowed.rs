@@ -47,11 +47,11 @@ impl<V: Signal, const N: usize> Windowed<V, N> {
     ///
     /// # Errors
     /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
-    pub fn new(ticks: usize, band: V::Scalar) -> Result<Self, ParameterError> {
-        Requirement::AtLeast(1.0).check("window ticks", ticks as f64)?;
-        Requirement::AtMost(N as f64).check("window ticks", ticks as f64)?;
+    pub fn new(ticks: u32, band: V::Scalar) -> Result<Self, ParameterError> {
+        Requirement::AtLeast(1.0).check("window ticks", f64::from(ticks))?;
+        Requirement::AtMost(N as f64).check("window ticks", f64::from(ticks))?;
         let band = Requirement::NonNegative.check("window band", band)?;
-        Ok(Self { ticks, band, past: [V::zero(); N], known: 0 })
+        Ok(Self { ticks: ticks as usize, band, past: [V::zero(); N], known: 0 })
     }
 
     /// The slope of the longest line that fits, m per tick.
@@ -119,14 +119,14 @@ impl<V: Signal, const N: usize> VelocityEstimator<V> for Windowed<V, N> {
 
 impl<V: Signal, const N: usize> Snapshot for Windowed<V, N> {
     /// The earlier positions, latest first and NaN where a window ends, and how many there are.
-    type State = (SVector<V, N>, usize);
+    type State = (SVector<V, N>, u32);
 
     fn state(&self) -> Self::State {
-        (SVector::from(self.past), self.known)
+        (SVector::from(self.past), self.known as u32)
     }
 
     fn restored(self, (past, known): Self::State) -> Result<Self, ParameterError> {
-        Requirement::AtMost(self.ticks as f64).check("stored positions", known as f64)?;
-        Ok(Self { past: past.into(), known, ..self })
+        Requirement::AtMost(self.ticks as f64).check("stored positions", f64::from(known))?;
+        Ok(Self { past: past.into(), known: known as usize, ..self })
     }
 }

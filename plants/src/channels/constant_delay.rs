@@ -26,9 +26,9 @@ impl<M: Copy, const N: usize> ConstantDelay<M, N> {
     ///
     /// # Errors
     /// `ticks` is above `N`.
-    pub fn new(ticks: usize, before: M) -> Result<Self, ParameterError> {
-        Requirement::AtMost(N as f64).check("channel ticks", ticks as f64)?;
-        Ok(Self { ticks, next: 0, newest: before, waiting: [before; N] })
+    pub fn new(ticks: u32, before: M) -> Result<Self, ParameterError> {
+        Requirement::AtMost(N as f64).check("channel ticks", f64::from(ticks))?;
+        Ok(Self { ticks: ticks as usize, next: 0, newest: before, waiting: [before; N] })
     }
 }
 

@@ -28,9 +28,9 @@ pub struct Delay<P, V, const N: usize> {
 lends_port!([P, V, const N: usize] Delay<P, V, N>);
 
 impl<P, V: Signal, const N: usize> Delay<P, V, N> {
-    pub(crate) fn new(port: P, ticks: usize) -> Result<Self, ParameterError> {
-        Requirement::AtMost(N as f64).check("delay ticks", ticks as f64)?;
-        Ok(Self { port, ticks, next: 0, waiting: [V::zero(); N] })
+    pub(crate) fn new(port: P, ticks: u32) -> Result<Self, ParameterError> {
+        Requirement::AtMost(N as f64).check("delay ticks", f64::from(ticks))?;
+        Ok(Self { port, ticks: ticks as usize, next: 0, waiting: [V::zero(); N] })
     }
 }
 

@@ -51,7 +51,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     ///
     /// # Errors
     /// `ticks` is above `N`.
-    fn delayed<const N: usize>(self, ticks: usize) -> Result<Delay<Self, V, N>, ParameterError> {
+    fn delayed<const N: usize>(self, ticks: u32) -> Result<Delay<Self, V, N>, ParameterError> {
         Delay::new(self, ticks)
     }
 
@@ -83,7 +83,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     /// `ticks` is 0 or above `N`; `band` below 0, infinite or NaN.
     fn windowed<const N: usize>(
         self,
-        ticks: usize,
+        ticks: u32,
         band: V::Scalar,
     ) -> Result<AdaptiveWindow<Self, V, N>, ParameterError> {
         Ok(Estimated::new(self, Windowed::new(ticks, band)?))

@@ -83,7 +83,7 @@ blocks! {
             /// Largest distance from a line, m: a count of the encoder, or the noise.
             band: T,
         };
-        |given| every::<V>(given.period, given.fastest)?.windowed(given.ticks as usize, given.band);
+        |given| every::<V>(given.period, given.fastest)?.windowed(given.ticks, given.band);
         [life reading place]
     }
     /// Readings at the times of a clock (Readings::clocked), with velocities by differences.
@@ -186,7 +186,7 @@ blocks! {
         };
         |given| {
             let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
-            poses(given.period, translation, rotation)?.windowed(given.ticks as usize, given.band)
+            poses(given.period, translation, rotation)?.windowed(given.ticks, given.band)
         };
         [life pose_reading place]
     }

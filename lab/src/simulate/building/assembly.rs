@@ -195,7 +195,7 @@ fn commanded<V: Space>(
     mut port: Port<V>,
 ) -> Result<Port<V>, ParameterError> {
     let common = scenes.common();
-    let delay = common.effects.delay.map(|delay| usize::from(delay.ticks.get()));
+    let delay = common.effects.delay.map(|delay| u32::from(delay.ticks.get()));
     if common.effects.saturation.is_some() {
         let force = |it: &Scene| it.effects.saturation.map_or(0.0, |it| it.force.get());
         let clipped = port.saturated(scenes.each(force))?;
