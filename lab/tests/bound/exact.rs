@@ -1,5 +1,6 @@
 //! The exact limit against the loop.
 
+use approx::assert_relative_eq;
 use lyapunov::Plant;
 use lyapunov_lab::bound::{Limits, LinearPart};
 use lyapunov_lab::{Assembly, Scene, Space};
@@ -98,6 +99,32 @@ fn long_delays_have_a_limit_too() {
              environment.mass-spring-damper.stiffness = 1.0"
         );
         assert!(is_the_limit::<f64>(&scene(&text), 0.01));
+    }
+}
+
+/// A link that yields by less than rounding makes one mass of two, as far as scenes may have such a link.
+#[test]
+fn a_link_that_hardly_yields_has_the_limits_of_one_mass() {
+    for (rate, delay, damping) in [(1000, 0, 2.0), (100, 3, 0.0)] {
+        let with = |link: &str| {
+            scene(&format!(
+                "duration = 1\nservo_rate = {rate}\ndevice = {{ mass = 0.2, damping = 0.1 }}\n\
+                 operator = {{ mass = 0.1, damping = 4.0, stiffness = 50.0 }}\neffects.delay.ticks = {delay}\n\
+                 environment.mass-spring-damper = {{ stiffness = 100.0, damping = {damping} }}\n{link}"
+            ))
+        };
+        let joined = Limits::of(&with(""));
+        let of = |limits: &Limits| [limits.exact, limits.spectral_radius].map(Option::unwrap);
+        let most = (2f64.powi(42) * f64::from(rate)).powi(2) / (1.0 / 0.1 + 1.0 / 0.2);
+        for stiffness in [1e20, 1e24, 0.999 * most] {
+            // Within a tick a damper of 1e4 N.s/m takes the link's own swing away.
+            let linked = with(&format!("link = {{ stiffness = {stiffness:e}, damping = 1e4 }}"));
+            let limits = Limits::of(&linked);
+            for (found, joined) in of(&limits).into_iter().zip(of(&joined)) {
+                assert_relative_eq!(found, joined, max_relative = 1e-13);
+            }
+            assert!(is_the_limit::<f64>(&linked, 0.01));
+        }
     }
 }
 

@@ -1,9 +1,17 @@
 //! The rules between the tables of the effects, the operator and the space.
 
-use super::check::Conflict;
+use super::check::{Conflict, standing_out};
 use super::environments::NAMES;
 use super::keys::example;
 use super::{Draft, Friction, Integrator, Stabilizer, Velocity};
+use crate::text::found;
+
+/// The largest angle, rad, through which a link may swing within a period: a larger one is rounded by a thousandth of a radian or
+/// more, each tick a push that no motion has.
+const MOST_TURN: f64 = 1.0 / (1024.0 * f64::EPSILON);
+
+/// Share by which a told limit stays below the limit, so that the shown digits are within it.
+const ROUNDING: f64 = 1e-3;
 
 impl Draft {
     /// Checks each table whose values must fit each other or another table.
@@ -45,8 +53,11 @@ impl Draft {
     }
 
     fn check_link(&self) -> Result<(), Conflict> {
-        if self.link.is_none() || self.operator.mass.get() > 0.0 {
+        let Some(link) = self.link else {
             return Ok(());
+        };
+        if self.operator.mass.get() > 0.0 {
+            return self.check_turn(link.stiffness.get());
         }
         Err(Conflict::new(
             "operator.mass",
@@ -54,6 +65,36 @@ impl Draft {
             "give it in kg, for example `operator.mass = 0.1`, or leave out `link`: the two then move as one",
         )
         .asked_by("link"))
+    }
+
+    /// Checks that rounding knows how far a link of this `stiffness` turns within a period.
+    fn check_turn(&self, stiffness: f64) -> Result<(), Conflict> {
+        let (hand, device) = (self.operator.mass.get(), self.device.mass.get());
+        let (rate, yielding) = (self.servo_rate.get(), hand.recip() + device.recip());
+        let turn = (stiffness * yielding).sqrt() / rate;
+        if turn <= MOST_TURN {
+            return Ok(());
+        }
+        let keys = vec![
+            ("link.stiffness", stiffness),
+            ("operator.mass", hand),
+            ("device.mass", device),
+            ("servo_rate", rate),
+        ];
+        let (key, value) = standing_out(keys).unwrap_or(("link.stiffness", stiffness));
+        let most = (1.0 - ROUNDING) * (MOST_TURN * rate).powi(2) / yielding;
+        let nearer = match key {
+            "link.stiffness" => format!("give at most {} N/m", found(most)),
+            _ => format!("`{key}` = {value:?} stands out; give a value nearer to 1"),
+        };
+        Err(Conflict::new(
+            key,
+            format!(
+                "a `link.stiffness` of {stiffness:?} N/m swings through {} rad within one period, more than rounding tells apart",
+                found(turn)
+            ),
+            format!("{nearer}, or leave out `link`: operator and device then move as one"),
+        ))
     }
 
     fn check_grip(&self) -> Result<(), Conflict> {

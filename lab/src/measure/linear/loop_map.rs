@@ -61,9 +61,9 @@ impl LoopMap {
         // An answer of the period before the last acts until the last one arrives.
         let inputs = if late > 0 { vec![old, new] } else { vec![new] };
         let (plant, adjoint) = resolvent(&moved);
-        let seen = |row: usize| {
+        let seen = |row: RowDVector<DoubleDouble>| {
             let of = |input: &DVector<DoubleDouble>| {
-                let entry = |term: &DMatrix<DoubleDouble>| (term.row(row) * input)[0];
+                let entry = |term: &DMatrix<DoubleDouble>| (&row * term * input)[0];
                 Polynomial::new(adjoint.iter().rev().map(entry).collect())
             };
             let parts: Vec<_> = inputs.iter().map(of).collect();
@@ -73,7 +73,7 @@ impl LoopMap {
             }
         };
         let delay = whole + u64::from(late > 0);
-        Self::closed(part, delay as u32, plant, &seen(states.position()), &seen(states.velocity()))
+        Self::closed(part, delay as u32, plant, &seen(states.device(0)), &seen(states.velocity()))
     }
 
     /// The loop about a plant whose position and velocity answer an effort by `x / plant` and `v / plant`.
@@ -227,39 +227,59 @@ fn ticks(tick: &DMatrix<DoubleDouble>, mut count: u64) -> DMatrix<DoubleDouble> 
     all
 }
 
-/// Entries of a tick's state: the masses, and the estimated velocity where it is a state.
+/// Entries of a tick's state: place and velocity of the centre of mass, with a link its stretch and how fast that grows, and the
+/// estimated velocity where it is a state.
+///
+/// As the difference of two places a stiff link's stretch would have only the digits that its stiffness leaves of theirs.
 #[derive(Clone, Copy, Debug)]
 struct States {
-    masses: usize,
+    /// `m_o / M`, by which share of the stretch the device is behind the centre; none without a link.
+    behind: Option<DoubleDouble>,
     share: Option<f64>,
 }
 
 impl States {
     fn of(part: &LinearPart) -> Self {
-        let masses = if part.link.is_some() { 2 } else { 1 };
+        let operator = DoubleDouble::from(part.operator.mass);
+        let behind = part.link.map(|_| operator / (operator + part.device.mass.into()));
         let share = match part.velocity {
             VelocitySource::Difference { share } if part.needs_velocity() => Some(share),
             _ => None,
         };
-        Self { masses, share }
+        Self { behind, share }
+    }
+
+    /// Entries that move by themselves.
+    fn moving(self) -> usize {
+        if self.behind.is_some() { 4 } else { 2 }
     }
 
     fn count(self) -> usize {
-        2 * self.masses + usize::from(self.share.is_some())
+        self.moving() + usize::from(self.share.is_some())
     }
 
-    /// The index of the device's position; its velocity follows.
-    fn position(self) -> usize {
-        2 * (self.masses - 1)
+    /// The device's position, or with an `order` of 1 its velocity, as a sum of the entries.
+    fn device(self, order: usize) -> RowDVector<DoubleDouble> {
+        let mut sum = RowDVector::zeros(self.count());
+        sum[order] = 1.0.into();
+        if let Some(behind) = self.behind {
+            sum[2 + order] = -behind;
+        }
+        sum
     }
 
-    fn velocity(self) -> usize {
-        if self.share.is_some() { 2 * self.masses } else { self.position() + 1 }
+    fn velocity(self) -> RowDVector<DoubleDouble> {
+        if self.share.is_none() {
+            return self.device(1);
+        }
+        let mut sum = RowDVector::zeros(self.count());
+        sum[self.moving()] = 1.0.into();
+        sum
     }
 
     /// Increment of the state over one servo tick, with the held effort as its last entry.
     fn tick(self, part: &LinearPart) -> DMatrix<DoubleDouble> {
-        let (moving, n) = (2 * self.masses, self.count());
+        let (moving, n) = (self.moving(), self.count());
         let gained = increments(&rates(part));
         let mut tick = DMatrix::zeros(n + 1, n + 1);
         let to = |column: usize| if column == moving { n } else { column };
@@ -269,7 +289,7 @@ impl States {
             }
         }
         if let Some(share) = self.share.map(DoubleDouble::from) {
-            let way: RowDVector<DoubleDouble> = tick.row(self.position()) * share;
+            let way: RowDVector<DoubleDouble> = self.device(0) * tick.rows(0, n) * share;
             tick.row_mut(moving).copy_from(&way);
             tick[(moving, moving)] -= share;
         }
@@ -277,35 +297,37 @@ impl States {
     }
 }
 
-/// Time derivatives of the masses' positions and velocities and of the held effort, with respect to these, in units of
-/// `T`, of the device's mass and of any length.
+/// Time derivatives of the state's moving entries and of the held effort, with respect to these, in units of `T`, of the device's
+/// mass and of any length.
 fn rates(part: &LinearPart) -> DMatrix<DoubleDouble> {
     let of = |value: f64| DoubleDouble::from(value);
-    let (period, device) = (of(part.period), of(part.device.mass));
-    let (operator, damping) = (part.operator, part.device.damping);
+    let (period, device, hand) = (of(part.period), of(part.device.mass), of(part.operator.mass));
+    let (pull, held) = (of(part.operator.stiffness), of(part.operator.damping));
+    let own = of(part.device.damping);
     let damped = |value: DoubleDouble, mass: DoubleDouble| value * period / mass;
-    let sprung = |value: f64, mass: DoubleDouble| of(value) * period * period / mass;
+    let sprung = |value: DoubleDouble, mass: DoubleDouble| value * period * period / mass;
     let (zero, one) = (of(0.0), of(1.0));
+    let both = device + hand;
+    let (to_hand, to_device) = (device / both, hand / both);
+    let centre = [-sprung(pull, both), -damped(held + own, both)];
     let Some(link) = part.link else {
-        let mass = device + of(operator.mass);
-        let both = of(damping) + of(operator.damping);
-        let row = [-sprung(operator.stiffness, mass), -damped(both, mass), -device / mass];
+        let row = [centre[0], centre[1], -to_hand];
         return DMatrix::from_row_slice(3, 3, &[[zero, one, zero], row, [zero; 3]].concat());
     };
-    let hand = of(operator.mass);
-    let (kl, bl) = (link.stiffness, of(link.damping));
-    let held = sprung(operator.stiffness, hand) + sprung(kl, hand);
+    let (kl, bl) = (of(link.stiffness), of(link.damping));
+    let spring = sprung(pull * to_hand + kl, hand) + sprung(kl, device);
+    let damper = damped(held * to_hand + bl, hand) + damped(own * to_device + bl, device);
     let rows = [
         [zero, one, zero, zero, zero],
-        [-held, -damped(of(operator.damping) + bl, hand), sprung(kl, hand), damped(bl, hand), zero],
-        [zero, zero, zero, one, zero],
         [
-            sprung(kl, device),
-            damped(bl, device),
-            -sprung(kl, device),
-            -damped(of(damping) + bl, device),
-            -one,
+            centre[0],
+            centre[1],
+            -sprung(pull * to_hand, both),
+            damped(own * to_device - held * to_hand, both),
+            -to_hand,
         ],
+        [zero, zero, zero, one, zero],
+        [-sprung(pull, hand), damped(own, device) - damped(held, hand), -spring, -damper, one],
         [zero; 5],
     ];
     DMatrix::from_row_slice(5, 5, &rows.concat())
