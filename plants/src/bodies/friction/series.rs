@@ -1,6 +1,6 @@
 //! Motion over a step as a polynomial, by Taylor's method.
 
-use lyapunov_core::lanes::apart;
+use lyapunov_core::lanes::{apart, together};
 use lyapunov_core::{Mask, Scalar};
 
 use super::Stribeck;
@@ -187,7 +187,7 @@ impl<T: Scalar, const S: usize> Series<T, S> {
             }
         }
         for _ in 0..1100 {
-            let open = finite & !self.converged(friction);
+            let open = together::<T, _>(finite & !self.converged(friction));
             if !open.any() {
                 return finite;
             }
@@ -229,7 +229,7 @@ impl<T: Scalar, const S: usize> Series<T, S> {
                 most = coefficient.magnitude().larger(most);
             }
         }
-        most
+        together::<T, _>(most)
     }
 
     /// The gain of state `index` until `share`.
