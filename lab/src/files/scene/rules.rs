@@ -1,6 +1,6 @@
 //! The rules between the tables of the effects, the operator and the space.
 
-use super::check::{Conflict, standing_out};
+use super::check::Conflict;
 use super::environments::NAMES;
 use super::keys::example;
 use super::{Draft, Friction, Integrator, Stabilizer, Velocity};
@@ -75,25 +75,18 @@ impl Draft {
         if turn <= MOST_TURN {
             return Ok(());
         }
-        let keys = vec![
-            ("link.stiffness", stiffness),
-            ("operator.mass", hand),
-            ("device.mass", device),
-            ("servo_rate", rate),
-        ];
-        let (key, value) = standing_out(keys).unwrap_or(("link.stiffness", stiffness));
         let most = (1.0 - ROUNDING) * (MOST_TURN * rate).powi(2) / yielding;
-        let nearer = match key {
-            "link.stiffness" => format!("give at most {} N/m", found(most)),
-            _ => format!("`{key}` = {value:?} stands out; give a value nearer to 1"),
-        };
         Err(Conflict::new(
-            key,
+            "link.stiffness",
             format!(
-                "a `link.stiffness` of {stiffness:?} N/m swings through {} rad within one period, more than rounding tells apart",
+                "`link.stiffness` = {stiffness:?} between {hand:?} and {device:?} kg swings through {} rad within one period, \
+                 more than rounding tells apart",
                 found(turn)
             ),
-            format!("{nearer}, or leave out `link`: operator and device then move as one"),
+            format!(
+                "give at most {} N/m, or leave out `link`: the two then move as one",
+                found(most)
+            ),
         ))
     }
 
