@@ -44,8 +44,8 @@ pub fn apart<T: Scalar>() {
 
 /// The same value, whose lanes the compiler keeps together; for one lane it is nothing.
 ///
-/// What follows may need the lanes one by one, as a choice between them does, and the compiler then computes in pieces of a few lanes
-/// what leads there too. A value that is written as a whole is computed as a whole.
+/// Later code may need the lanes one by one, as a choice between them does, and the compiler may then compute the value in pieces of
+/// a few lanes too. A value that is written as a whole is computed as a whole.
 #[inline(always)]
 pub fn together<T: Scalar, V>(value: V) -> V {
     if T::LANES > 1 { black_box(value) } else { value }
