@@ -195,6 +195,22 @@ fn together(sample: &PortSample<AutoF64x4>, effort: AutoF64x4) -> Correction<Aut
     Correction { alpha, ..Correction::none(effort + sample.velocity * alpha) }.checked()
 }
 
+/// A damper that rejects all lanes where one sample is bad.
+fn all_or_none(sample: &PortSample<AutoF64x4>, effort: AutoF64x4) -> Correction<AutoF64x4> {
+    let two = AutoF64x4::of(2.0);
+    let corrected = Correction { alpha: two, ..Correction::none(effort + sample.velocity * two) };
+    let rejected = Correction { accepted: Mask::of(false), ..Correction::none(AutoF64x4::of(0.0)) };
+    if sample.sound().all() { corrected.checked() } else { rejected }
+}
+
+#[test]
+fn a_rejection_of_all_lanes_is_caught_and_its_field_is_told() {
+    let broken = laws::stabilizer(&Told(all_or_none), Samples::new(AutoF64x4::of(PERIOD)));
+    let broken = broken.expect_err("broken");
+    assert_eq!((broken.law, broken.tick, broken.lane), (Law::LaneByLane, 0, 1));
+    tells(&broken, &["with its period replaced by NaN"]);
+}
+
 #[test]
 fn a_decision_for_all_lanes_is_caught_and_its_lane_is_told() {
     let samples = Samples::new(AutoF64x4::of(PERIOD));

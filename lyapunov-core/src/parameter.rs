@@ -165,9 +165,7 @@ impl Requirement {
             }
         }
     }
-}
 
-impl Requirement {
     /// `signal` if every lane of every axis is right.
     ///
     /// ```

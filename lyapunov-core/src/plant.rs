@@ -29,7 +29,7 @@ pub trait Plant<V: Signal> {
     ///
     /// It is for plants behind a table of methods (`Box<dyn Plant<V>>`). A sample that is returned from there is
     /// written number by number and then copied by pairs of numbers; such a read waits until the writes before it are
-    /// done, and the processor does not begin the next tick meanwhile. An adaptor of a plant forwards this call.
+    /// done, and the processor does not begin the next tick meanwhile. References and boxes of a plant forward this call.
     #[inline(always)]
     fn advance_into(&mut self, effort: V, sample: &mut PortSample<V>) {
         // Field by field: lanes written a pair at a time and then copied by wider reads would wait as well.

@@ -100,9 +100,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         budget(energy, |energy| self.observer.ledger.credit(energy))?;
         Ok(self)
     }
-}
 
-impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// Adds `energy` joules, which may be below 0.
     #[inline]
     pub(crate) fn credit(&mut self, energy: T) {

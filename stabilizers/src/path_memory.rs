@@ -66,11 +66,13 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     /// A memory of the way beyond `surface` m, `depth` m deep.
     ///
     /// # Errors
-    /// `surface` infinite or NaN; `depth` not above 0 and finite, or too small or too large for `N` cells.
+    /// `surface` infinite or NaN; `depth` not above 0 and finite, or out of range for `N` cells.
     pub fn beyond(surface: T, depth: T) -> Result<Self, ParameterError> {
         let surface = Requirement::Finite.check("surface", surface)?;
         let depth = Requirement::Positive.check("memory depth", depth)?;
-        let cell = Requirement::Positive.check("memory cell", depth / T::of(N as f64))?;
+        let cell = depth / T::of(N as f64);
+        let kept = cell.above(T::of(0.0)) & cell.finite();
+        Requirement::InRange.require("memory depth", depth, kept)?;
         Ok(Self { surface, cell, forces: [T::of(0.0); N], debt: T::of(0.0) })
     }
 

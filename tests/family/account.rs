@@ -141,9 +141,10 @@ fn what_cannot_be_right_is_refused() {
     );
     assert!(popc::<f64>().bounded(f64::NAN).is_err());
     assert!(popc::<f64>().above_velocity(1e200_f64).is_err());
+    assert!(popc::<f32>().above_velocity(1e-23_f32).is_err());
     assert!(popc::<f64>().spread_over::<f64>(0).is_err());
     assert!(popc::<f64>().rising_over::<f64>(0).is_err());
-    assert!(popc::<f32>().rising_over::<f32>((1 << 24) + 2).is_err());
+    assert!(popc::<f32>().rising_over::<f32>((1 << 24) + 1).is_err());
     assert!(popc::<f64>().rate_limited::<f64>(-1.0).is_err());
     assert!(WindowedCredit::<f64, Plain<f64>, 4>::of_ticks(0).is_err());
 }

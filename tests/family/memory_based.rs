@@ -151,5 +151,6 @@ fn a_cell_gives_its_last_force() {
 fn what_cannot_be_right_is_refused() {
     assert!(MemoryBased::<f64, 8>::beyond(f64::NAN, 1.0).is_err());
     assert!(MemoryBased::<f64, 8>::beyond(0.0, 0.0).is_err());
-    assert!(MemoryBased::<f64, 0>::beyond(0.0, 1.0).is_err());
+    let error = MemoryBased::<f64, 0>::beyond(0.0, 1.0).expect_err("no cells");
+    assert_eq!((error.parameter, error.value), ("memory depth", 1.0));
 }

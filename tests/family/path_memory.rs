@@ -158,6 +158,7 @@ fn what_cannot_be_right_is_refused() {
     assert!(PathMemory::<f64, 8>::beyond(f64::NAN, 1.0).is_err());
     assert!(PathMemory::<f64, 8>::beyond(0.0, 0.0).is_err());
     assert!(PathMemory::<f64, 8>::beyond(0.0, f64::INFINITY).is_err());
-    assert!(PathMemory::<f64, 0>::beyond(0.0, 1.0).is_err());
+    let error = PathMemory::<f64, 0>::beyond(0.0, 1.0).expect_err("no cells");
+    assert_eq!((error.parameter, error.value), ("memory depth", 1.0));
     assert!(PathMemory::<f64, 8>::beyond(0.0, 1e-323).is_err());
 }

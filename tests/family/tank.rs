@@ -3,15 +3,43 @@
 use approx::assert_abs_diff_eq;
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    HeldTick, PortEnergy, PortSample, Scalar, Snapshot, Stabilizer,
-    stabilizers::{EnergyTank, Valve},
-    stabilizers::{Tank, TankLimits},
+    DampingLimit, HeldTick, LyapunovCandidate, PortEnergy, PortSample, Scalar, Snapshot,
+    Stabilizer,
+    stabilizers::{EnergyTank, LeastNorm, Tank, TankLimits, Valve},
 };
 
 use crate::support::{Dice, PERIOD};
 use crate::worked::near;
 
 const STORE: TankLimits<f64> = TankLimits { start: 2e-3, floor: 5e-4, ceiling: 3e-3, power: 0.5 };
+
+/// A candidate that does not know how much a place before the surface stores.
+#[derive(Clone, Copy)]
+struct Halved;
+
+impl LyapunovCandidate<f64> for Halved {
+    fn decrease(&mut self, sample: &PortSample<f64>) -> f64 {
+        if sample.position < 0.0 { f64::NAN } else { sample.work }
+    }
+}
+
+#[test]
+fn what_its_candidate_cannot_tell_is_rejected() {
+    let moved = |position| {
+        let applied = 0.5;
+        HeldTick { period: PERIOD, position, velocity: 0.1, displacement: 1e-4, applied }.sample()
+    };
+    let limit = DampingLimit::at(100.0).expect("a limit");
+    let filter = LeastNorm::new(Halved, limit, 1.0).expect("a filter");
+    let tank = Tank::new(Halved, STORE).expect("a tank");
+    let mut all: [Box<dyn Stabilizer<f64>>; 2] = [Box::new(filter), Box::new(tank)];
+    for stabilizer in &mut all {
+        let known = stabilizer.stabilize(&moved(1e-3), 1.0);
+        let lost = stabilizer.stabilize(&moved(-1e-3), 1.0);
+        assert!(known.accepted && !lost.accepted);
+        assert_eq!((lost.effort, lost.observed_energy), (0.0, known.observed_energy));
+    }
+}
 
 /// A tank with a bounded valve holds no more than its ceiling, whatever was stored; the published one goes on overfull.
 #[test]

@@ -245,7 +245,10 @@ fn every_step_ends_whatever_the_state() {
         StickSlipOscillator::new(block(), Stribeck { coulomb: 2.0, ..law() }).expect_err("law");
     assert_eq!((error.parameter, error.requirement), ("coulomb", Requirement::AtMost(1.0)));
     let error = WalledOscillator::new(FREE, -1.0, 0.0).expect_err("no wall");
-    assert_eq!((error.parameter, error.requirement), ("stiffness", Requirement::NonNegative));
+    assert_eq!((error.parameter, error.requirement), ("wall stiffness", Requirement::NonNegative));
+    let stiff = Impedance { stiffness: 5e307, ..FREE };
+    let error = WalledOscillator::new(stiff, 1.5e308, 0.0).expect_err("out of range together");
+    assert_eq!((error.parameter, error.value), ("wall stiffness", 1.5e308));
     let error = WalledOscillator::new(FREE, 1.0, f64::NAN).expect_err("no surface");
     assert_eq!((error.parameter, error.requirement), ("surface", Requirement::Finite));
 }

@@ -23,11 +23,25 @@ struct Live {
     tick: u64,
 }
 
+/// What a scene has that one mass on a line does not show.
+fn beyond(scene: &Scene) -> Option<&'static str> {
+    let effects = &scene.effects;
+    let all = [
+        (scene.dimensions() > 1, "a space, of which the first axis is shown"),
+        (scene.link.is_some(), "a link"),
+        (effects.friction.is_some(), "friction"),
+        (effects.jitter.is_some(), "jitter"),
+        (effects.load.is_some(), "a load"),
+        (effects.pulse.is_some(), "a pulse"),
+    ];
+    all.into_iter().find_map(|(has, name)| has.then_some(name))
+}
+
 impl Live {
     /// The loop of `scene`, at standstill at `place`.
     fn of(scene: Scene, place: f64) -> Result<Self, String> {
-        if scene.dimensions() > 1 {
-            return Err("The hand moves on a line, and this scene is in a space, of which the first axis is shown".to_owned());
+        if let Some(beyond) = beyond(&scene) {
+            return Err(format!("The hand moves one mass on a line, and this scene has {beyond}"));
         }
         let parts = Impedance {
             mass: scene.operator.mass.get() + scene.device.mass.get(),

@@ -53,6 +53,7 @@ pub extern "C" fn band(first: usize, count: usize) -> u32 {
     })
 }
 
-fn place(verdict: Verdict) -> u8 {
+/// The place of a verdict among all.
+pub(crate) fn place(verdict: Verdict) -> u8 {
     Verdict::ALL.iter().position(|it| *it == verdict).unwrap_or_default() as u8
 }

@@ -49,11 +49,9 @@ fn traced<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
         let Row { t, x, f_env, f_ctl, f_act, observed_energy, .. } = Row::of(&tick);
         rows.extend([t, x, f_env, f_ctl, f_act, observed_energy]);
     }
-    let verdict = summary.verdict();
-    let place = Verdict::ALL.iter().position(|it| *it == verdict).unwrap_or_default();
     let active = summary.active as f64 / summary.rows.max(1) as f64;
     let head = [
-        place as f64,
+        place(summary.verdict()).into(),
         summary.settled.unwrap_or(f64::NAN),
         summary.acting_peak,
         summary.asked,

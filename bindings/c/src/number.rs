@@ -11,12 +11,6 @@ pub trait Number: Scalar<Mask = bool, Real = f64> + Flat<Self::Word> + Default {
 
     /// The part that fills an odd count of them up to 64 bits.
     type Fill: Copy + Default + core::fmt::Debug;
-
-    /// The bits.
-    fn word(self) -> Self::Word;
-
-    /// The number of these bits.
-    fn of_word(word: Self::Word) -> Self;
 }
 
 /// Unsigned integer as wide as a number of the port.
@@ -33,16 +27,6 @@ macro_rules! number {
         impl Number for $number {
             type Word = $word;
             type Fill = $fill;
-
-            #[inline(always)]
-            fn word(self) -> $word {
-                self.to_bits()
-            }
-
-            #[inline(always)]
-            fn of_word(word: $word) -> Self {
-                Self::from_bits(word)
-            }
         }
 
         impl Word for $word {
@@ -62,12 +46,12 @@ macro_rules! number {
 
             #[inline]
             fn put(&self, out: &mut impl FnMut($word)) {
-                out(self.word());
+                out(self.to_bits());
             }
 
             #[inline]
             fn take(from: &mut impl FnMut() -> $word) -> Self {
-                Self::of_word(from())
+                Self::from_bits(from())
             }
         }
     };

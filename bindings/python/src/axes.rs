@@ -89,6 +89,47 @@ pub(crate) fn misaligned(name: &str) -> PyErr {
     ))
 }
 
+/// The methods of an implementation that name a variant.
+macro_rules! in_variant {
+    ($variant:ident, $count:literal) => {
+        fn sample(sample: CheckedSample<Self>) -> AnySample {
+            AnySample::$variant(sample)
+        }
+
+        fn of_sample(sample: &AnySample) -> PyResult<&CheckedSample<Self>> {
+            match sample {
+                AnySample::$variant(sample) => Ok(sample),
+                other => Err(differs("sample", other.axes(), $count)),
+            }
+        }
+
+        fn correction(correction: Correction<Self>) -> AnyCorrection {
+            AnyCorrection::$variant(correction)
+        }
+
+        fn of_correction(correction: &AnyCorrection) -> PyResult<&Correction<Self>> {
+            match correction {
+                AnyCorrection::$variant(correction) => Ok(correction),
+                other => Err(differs("correction", other.axes(), $count)),
+            }
+        }
+
+        fn member(member: &mut AnyMember) -> PyResult<&mut Member<Self, Candidate>> {
+            match member {
+                AnyMember::$variant(member) => Ok(member),
+                other => Err(differs("array", $count, other.axes())),
+            }
+        }
+
+        fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
+            match &mut readings.readings {
+                AnyReadings::$variant(kinds) => Ok(kinds),
+                other => Err(others(other.axes(), $count)),
+            }
+        }
+    };
+}
+
 impl Axes for f64 {
     const COUNT: usize = 1;
 
@@ -116,41 +157,7 @@ impl Axes for f64 {
         *self
     }
 
-    fn sample(sample: CheckedSample<Self>) -> AnySample {
-        AnySample::One(sample)
-    }
-
-    fn of_sample(sample: &AnySample) -> PyResult<&CheckedSample<Self>> {
-        match sample {
-            AnySample::One(sample) => Ok(sample),
-            other => Err(differs("sample", other.axes(), 1)),
-        }
-    }
-
-    fn correction(correction: Correction<Self>) -> AnyCorrection {
-        AnyCorrection::One(correction)
-    }
-
-    fn of_correction(correction: &AnyCorrection) -> PyResult<&Correction<Self>> {
-        match correction {
-            AnyCorrection::One(correction) => Ok(correction),
-            other => Err(differs("correction", other.axes(), 1)),
-        }
-    }
-
-    fn member(member: &mut AnyMember) -> PyResult<&mut Member<Self, Candidate>> {
-        match member {
-            AnyMember::One(member) => Ok(member),
-            other => Err(differs("array", 1, other.axes())),
-        }
-    }
-
-    fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
-        match &mut readings.readings {
-            AnyReadings::One(kinds) => Ok(kinds),
-            other => Err(others(other.axes(), 1)),
-        }
-    }
+    in_variant!(One, 1);
 }
 
 macro_rules! vectors {
@@ -174,41 +181,7 @@ macro_rules! vectors {
                 self[axis]
             }
 
-            fn sample(sample: CheckedSample<Self>) -> AnySample {
-                AnySample::$variant(sample)
-            }
-
-            fn of_sample(sample: &AnySample) -> PyResult<&CheckedSample<Self>> {
-                match sample {
-                    AnySample::$variant(sample) => Ok(sample),
-                    other => Err(differs("sample", other.axes(), $count)),
-                }
-            }
-
-            fn correction(correction: Correction<Self>) -> AnyCorrection {
-                AnyCorrection::$variant(correction)
-            }
-
-            fn of_correction(correction: &AnyCorrection) -> PyResult<&Correction<Self>> {
-                match correction {
-                    AnyCorrection::$variant(correction) => Ok(correction),
-                    other => Err(differs("correction", other.axes(), $count)),
-                }
-            }
-
-            fn member(member: &mut AnyMember) -> PyResult<&mut Member<Self, Candidate>> {
-                match member {
-                    AnyMember::$variant(member) => Ok(member),
-                    other => Err(differs("array", $count, other.axes())),
-                }
-            }
-
-            fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
-                match &mut readings.readings {
-                    AnyReadings::$variant(kinds) => Ok(kinds),
-                    other => Err(others(other.axes(), $count)),
-                }
-            }
+            in_variant!($variant, $count);
         }
     )+};
 }

@@ -5,6 +5,7 @@ use lyapunov_lab::scene::Diagnostic;
 use numpy::{PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyType;
 use pyo3::{PyTypeInfo, create_exception};
 
 create_exception!(
@@ -46,7 +47,7 @@ pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
 }
 
 /// Parameters of the library that arguments here have shorter names for.
-const ARGUMENTS: [(&str, &str); 12] = [
+const ARGUMENTS: [(&str, &str); 15] = [
     ("barrier decay", "decay"),
     ("correction rate", "rate"),
     ("damping cap", "cap"),
@@ -57,7 +58,10 @@ const ARGUMENTS: [(&str, &str); 12] = [
     ("fastest motion", "no_faster_than"),
     ("filter cutoff", "cutoff"),
     ("most stored credit", "credit"),
+    ("tank ceiling", "ceiling"),
+    ("tank floor", "floor"),
     ("tank power", "power"),
+    ("tank start", "start"),
     ("velocity threshold", "velocity"),
 ];
 
@@ -92,6 +96,25 @@ pub(crate) fn kind(value: &Bound<'_, PyAny>) -> String {
             value.get_type().name().map_or_else(|_| "something else".into(), |it| it.to_string())
         }
     }
+}
+
+/// Checks that the argument `name` is an object with a `method`; `wanted` says what else to give.
+pub(crate) fn with_method(
+    object: &Bound<'_, PyAny>,
+    name: &str,
+    method: &str,
+    wanted: &str,
+) -> PyResult<()> {
+    if let Ok(class) = object.cast::<PyType>() {
+        let class = class.name()?;
+        return Err(PyTypeError::new_err(format!(
+            "{name} is the class {class}; give an object of it"
+        )));
+    }
+    if object.hasattr(method)? {
+        return Ok(());
+    }
+    Err(PyTypeError::new_err(format!("{name} is {}; give {wanted}", kind(object))))
 }
 
 /// The object of a class of this package that the argument `name` is.

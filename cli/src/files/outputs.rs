@@ -20,16 +20,6 @@ impl<'a> Outputs<'a> {
         Self { folder, written: Vec::new() }
     }
 
-    /// Writes the file that will be called `name`.
-    ///
-    /// # Errors
-    /// As [`Output::create`], and a full device.
-    fn put(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), OutputError> {
-        let mut output = Output::create(&self.folder.join(name))?;
-        output.write_all(bytes.as_ref()).map_err(|error| output.blame(error))?;
-        self.add(output)
-    }
-
     /// Adds a file that has been written already.
     ///
     /// # Errors
@@ -42,12 +32,16 @@ impl<'a> Outputs<'a> {
     /// Writes several files, each given by name and bytes.
     ///
     /// # Errors
-    /// As [`Outputs::put`].
+    /// As [`Output::create`], and a full device.
     pub(crate) fn put_all(
         &mut self,
         files: impl IntoIterator<Item = (String, Vec<u8>)>,
     ) -> Result<(), OutputError> {
-        files.into_iter().try_for_each(|(name, bytes)| self.put(&name, bytes))
+        files.into_iter().try_for_each(|(name, bytes)| {
+            let mut output = Output::create(&self.folder.join(name))?;
+            output.write_all(&bytes).map_err(|error| output.blame(error))?;
+            self.add(output)
+        })
     }
 
     /// Moves all files to their names, one after the other.

@@ -62,9 +62,7 @@ impl Cell {
     pub(crate) fn new(text: &str, markup: Markup) -> Self {
         Self { text: legible(&text.replace('\n', " ")), markup }
     }
-}
 
-impl Cell {
     /// The text for the terminal.
     pub(crate) fn text(&self) -> &str {
         &self.text

@@ -2,7 +2,7 @@
 
 use super::tick::spread;
 use crate::laws::{Law, Tick, Violation, quantity};
-use crate::{Correction, PortSample, Scalar, Signal, Stabilizer};
+use crate::{Correction, Mask, PortSample, Scalar, Signal, Stabilizer};
 
 /// Check of a `stabilizer` over `samples`: the laws [`Finite`](Law::Finite), [`Repeatable`](Law::Repeatable),
 /// [`NoNegativeDamping`](Law::NoNegativeDamping), [`Opposes`](Law::Opposes), [`Served`](Law::Served),
@@ -71,6 +71,7 @@ fn check<V: Signal, S: Stabilizer<V> + Clone>(
         manner(now, sample, effort, &correction)?;
         alike(now, Law::Repeatable, &correction, &other.stabilize(sample, effort))?;
         lane_by_lane(now, &before, sample, effort, &correction)?;
+        keeps_to_its_lane(now, &before, sample, effort)?;
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             rejects(now, one.clone(), sample, effort, bad)?;
             survives(now, &one, sample, effort, bad)?;
@@ -91,7 +92,7 @@ fn finite<V: Signal>(now: Tick, correction: &Correction<V>) -> Result<(), Violat
     now.told(quantity::ACCEPTANCE).holds::<V::Scalar>(Law::Finite, accepted)
 }
 
-/// Comparison of effort, observed energy and damping.
+/// Comparison of all that two corrections tell.
 pub(super) fn alike<V: Signal>(
     now: Tick,
     law: Law,
@@ -102,7 +103,14 @@ pub(super) fn alike<V: Signal>(
     let [energy, again] = [one, other].map(|it| it.observed_energy);
     now.told(quantity::OBSERVED_ENERGY).same(law, energy, again)?;
     now.told(quantity::DAMPING).same(law, one.alpha, other.alpha)?;
-    now.told(quantity::SHORTFALL).same(law, one.shortfall, other.shortfall)
+    now.told(quantity::SHORTFALL).same(law, one.shortfall, other.shortfall)?;
+    let [accepted, again] = [one, other].map(accepted::<V>);
+    now.told(quantity::ACCEPTANCE).same(law, accepted, again)
+}
+
+/// 1 where a correction comes of an accepted sample, else 0.
+fn accepted<V: Signal>(correction: &Correction<V>) -> V::Scalar {
+    V::Scalar::choose(correction.accepted, V::Scalar::of(1.0), V::Scalar::of(0.0))
 }
 
 /// Check of each lane against the same stabilizer with that lane's numbers in all lanes.
@@ -132,13 +140,52 @@ fn lane_by_lane<V: Signal, S: Stabilizer<V> + Clone>(
     Ok(())
 }
 
+/// Check that a NaN in one lane changes no other lane.
+fn keeps_to_its_lane<V: Signal, S: Stabilizer<V> + Clone>(
+    now: Tick,
+    before: &S,
+    sample: &PortSample<V>,
+    effort: V,
+) -> Result<(), Violation> {
+    if V::Scalar::LANES == 1 {
+        return Ok(());
+    }
+    let bad = f64::NAN;
+    let first = !V::Scalar::from_lanes(|lane| lane as f64).above(V::Scalar::of(0.0));
+    for (field, flawed) in flawed(sample, bad, first) {
+        let correction = before.clone().stabilize(&flawed, effort);
+        lane_by_lane(now, before, &flawed, effort, &correction)
+            .map_err(|broken| broken.after(field, bad))?;
+    }
+    Ok(())
+}
+
+/// The sample with one field each that is `bad` in the lanes of `spoilt`.
+fn flawed<V: Signal>(
+    sample: &PortSample<V>,
+    bad: f64,
+    spoilt: <V::Scalar as Scalar>::Mask,
+) -> [(&'static str, PortSample<V>); 6] {
+    let lanes = |own| V::Scalar::choose(spoilt, V::Scalar::of(bad), own);
+    let axes = |own: V| own.map(lanes);
+    let PortSample { period, position, velocity, displacement, applied, work } = *sample;
+    [
+        ("period", PortSample { period: lanes(period), ..*sample }),
+        ("position", PortSample { position: axes(position), ..*sample }),
+        ("velocity", PortSample { velocity: axes(velocity), ..*sample }),
+        ("displacement", PortSample { displacement: axes(displacement), ..*sample }),
+        ("applied effort", PortSample { applied: axes(applied), ..*sample }),
+        ("work", PortSample { work: axes(work), ..*sample }),
+    ]
+}
+
 fn of_lane<V: Signal>(correction: &Correction<V>, lane: usize) -> Correction<V> {
     Correction {
         effort: spread(correction.effort, lane),
         observed_energy: spread(correction.observed_energy, lane),
         alpha: spread(correction.alpha, lane),
         shortfall: spread(correction.shortfall, lane),
-        ..*correction
+        accepted: spread(accepted(correction), lane).above(V::Scalar::of(0.0)),
     }
 }
 
@@ -196,16 +243,7 @@ fn survives<V: Signal, S: Stabilizer<V> + Clone>(
     effort: V,
     bad: f64,
 ) -> Result<(), Violation> {
-    let lanes = V::Scalar::of(bad);
-    let spoilt = V::splat(lanes);
-    for (field, flawed) in [
-        ("period", PortSample { period: lanes, ..*sample }),
-        ("position", PortSample { position: spoilt, ..*sample }),
-        ("velocity", PortSample { velocity: spoilt, ..*sample }),
-        ("displacement", PortSample { displacement: spoilt, ..*sample }),
-        ("applied effort", PortSample { applied: spoilt, ..*sample }),
-        ("work", PortSample { work: spoilt, ..*sample }),
-    ] {
+    for (field, flawed) in flawed(sample, bad, Mask::of(true)) {
         let mut stabilizer = stabilizer.clone();
         let effort_then = stabilizer.stabilize(&flawed, effort).effort;
         now.told(quantity::EFFORT)

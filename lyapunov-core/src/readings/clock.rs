@@ -55,10 +55,6 @@ struct Times {
 }
 
 impl Clocked {
-    pub(super) fn new() -> Self {
-        Self { last: None }
-    }
-
     /// The time from the last reading to `now`, s, and whether it is known; else it is a `period`.
     #[inline]
     fn elapsed<T: Scalar>(&mut self, now: f64, period: T) -> (T, bool) {

@@ -258,7 +258,7 @@ impl<V: Signal, E, P: Track<V>> Readings<V, E, Steady, P> {
     #[must_use]
     pub fn clocked(self) -> Readings<V, E, Clocked, P> {
         let Self { period, fastest, memory, velocity, track, .. } = self;
-        Readings { period, fastest, memory, velocity, clock: Clocked::new(), track }
+        Readings { period, fastest, memory, velocity, clock: Clocked::default(), track }
     }
 }
 

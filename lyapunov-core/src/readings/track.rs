@@ -66,7 +66,7 @@ impl<V: Signal> Track<V> for Positions {
     }
 
     fn checked(speed: V::Scalar) -> Result<V::Scalar, ParameterError> {
-        checked("fastest motion", speed)
+        Requirement::AboveZero.check("fastest motion", speed)
     }
 
     #[inline(always)]
@@ -157,8 +157,8 @@ impl<T: Angle, F: Axes> Track<WithPose<T, F>> for Poses<T, F> {
     }
 
     fn checked(speed: PartSpeeds<T>) -> Result<PartSpeeds<T>, ParameterError> {
-        checked("fastest translation", speed.translation)?;
-        checked("fastest rotation", speed.rotation)?;
+        Requirement::AboveZero.check("fastest translation", speed.translation)?;
+        Requirement::AboveZero.check("fastest rotation", speed.rotation)?;
         Ok(speed)
     }
 
@@ -196,8 +196,4 @@ impl<T: Angle, F: Axes> Snapshot for Poses<T, F> {
     fn restored(self, left: Screw<T, F>) -> Result<Self, ParameterError> {
         Ok(Self { left: Requirement::Finite.check_axes("stored rounding", left)? })
     }
-}
-
-fn checked<T: Scalar>(name: &'static str, speed: T) -> Result<T, ParameterError> {
-    Requirement::AboveZero.check(name, speed)
 }

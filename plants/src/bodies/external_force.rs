@@ -19,9 +19,7 @@ impl<B, C> ExternalForce<B, C> {
     pub(crate) fn new(body: B, trajectory: C) -> Self {
         Self { body, trajectory, tick: 0 }
     }
-}
 
-impl<B, C> ExternalForce<B, C> {
     #[inline]
     fn push<V: Signal>(&mut self) -> V
     where

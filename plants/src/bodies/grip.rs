@@ -35,9 +35,7 @@ impl<B, R, T: Scalar> Grip<B, R, T> {
         body.reshape(own, period)?;
         Ok(Self { body, table, period, next: 0, tick: 0 })
     }
-}
 
-impl<B, R, T: Scalar> Grip<B, R, T> {
     #[inline]
     fn take_hold<V: Signal<Scalar = T>>(&mut self)
     where

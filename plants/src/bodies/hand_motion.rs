@@ -19,9 +19,7 @@ impl<B, C> HandMotion<B, C> {
     pub(crate) fn new(body: B, trajectory: C) -> Self {
         Self { body, trajectory, tick: 0 }
     }
-}
 
-impl<B, C> HandMotion<B, C> {
     #[inline]
     fn lead<V: Signal>(&mut self)
     where

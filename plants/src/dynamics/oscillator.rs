@@ -32,9 +32,7 @@ impl<T: Scalar> Oscillator<T> {
         Requirement::InRange.require("mass", mass, largest.finite())?;
         Ok(Self { parts, by_position, by_velocity, by_effort })
     }
-}
 
-impl<T: Scalar> Oscillator<T> {
     /// `yes` in the lanes of `mask`, `no` elsewhere.
     pub(super) fn chosen(mask: T::Mask, yes: Self, no: Self) -> Self {
         let choose = |yes: T, no: T| T::choose(mask, yes, no);

@@ -31,10 +31,12 @@ impl<T: Scalar> WalledOscillator<T> {
     /// # Errors
     /// Those of [`Oscillator::new`]; `stiffness` below 0, infinite or NaN; `surface` not finite.
     pub fn new(parts: Impedance<T>, stiffness: T, surface: T) -> Result<Self, ParameterError> {
-        let stiffness = Requirement::NonNegative.check("stiffness", stiffness)?;
+        let stiffness = Requirement::NonNegative.check("wall stiffness", stiffness)?;
         let surface = Requirement::Finite.check("surface", surface)?;
+        let free = Oscillator::new(parts)?;
         let joined = Impedance { stiffness: parts.stiffness + stiffness, ..parts };
-        let (free, touching) = (Oscillator::new(parts)?, Oscillator::new(joined)?);
+        Requirement::InRange.require("wall stiffness", stiffness, joined.stiffness.finite())?;
+        let touching = Oscillator::new(joined)?;
         Ok(Self { free, touching, stiffness, surface })
     }
 

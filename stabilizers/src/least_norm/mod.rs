@@ -94,11 +94,13 @@ where
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let zero = V::Scalar::of(0.0);
-        let sum = self.observer.observe(sample, effort);
+        let decrease = self.observer.decrease(sample, effort);
+        let booked = self.observer.ledger.credit(decrease);
+        let sum = self.observer.ledger.energy();
         let square = sample.velocity.inner(sample.velocity) * sample.period;
         let slack = self.decay * sum + effort.inner(sample.velocity) * sample.period;
         let timed = sample.period.above(zero);
-        let accepted = (slack + square + sample.work.sum()).finite() & effort.finite() & timed;
+        let accepted = booked & (slack + square).finite() & effort.finite() & timed;
         // The divisor stays normal, and the margin rounds up, so that what is served is served in full.
         let margin = V::Scalar::of(1.0) - V::Scalar::of(4.0) * V::Scalar::epsilon();
         let lacking = (-slack).larger(zero);

@@ -37,7 +37,8 @@ pub struct SoftStart<S, T> {
 /// A number of ticks to which the scalar can count in steps of 1.
 fn countable<T: Scalar>(ticks: u32) -> Result<T, ParameterError> {
     let most = (T::of(2.0) / T::epsilon()).lane(0);
-    Requirement::AtMost(most).check("rise ticks", whole("rise ticks", ticks)?)
+    Requirement::AtMost(most).check("rise ticks", f64::from(ticks))?;
+    whole("rise ticks", ticks)
 }
 
 impl<S, T: Scalar> SoftStart<S, T> {

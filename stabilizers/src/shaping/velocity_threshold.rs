@@ -63,7 +63,7 @@ impl<S, T: Scalar> VelocityThreshold<S, T> {
     /// Changes the threshold, m/s; a debt held back at the old one is served from the new one on.
     ///
     /// # Errors
-    /// `velocity` below 0, not finite, or with a square that is not; the old one stays.
+    /// `velocity` below 0, not finite, or with a square out of range; the old one stays.
     pub fn set_velocity(&mut self, velocity: T) -> Result<(), ParameterError> {
         self.square = squared(velocity)?;
         Ok(())
@@ -73,7 +73,10 @@ impl<S, T: Scalar> VelocityThreshold<S, T> {
 fn squared<T: Scalar>(velocity: T) -> Result<T, ParameterError> {
     let velocity = Requirement::NonNegative.check("velocity threshold", velocity)?;
     let square = velocity * velocity;
-    Requirement::InRange.require("velocity threshold", velocity, square.finite()).map(|()| square)
+    // Below the normal numbers the root would not give the velocity back.
+    let told = square.above(T::smallest_normal()) | !velocity.above(T::of(0.0));
+    let in_range = square.finite() & told;
+    Requirement::InRange.require("velocity threshold", velocity, in_range).map(|()| square)
 }
 
 lyapunov_core::snapshot! {

@@ -121,14 +121,15 @@ where
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let (zero, one) = (V::Scalar::of(0.0), V::Scalar::of(1.0));
-        let sum = self.observer.observe(sample, effort).smaller(self.room);
+        let decrease = self.observer.decrease(sample, effort);
+        let booked = self.observer.ledger.credit(decrease);
+        let sum = self.observer.ledger.energy().smaller(self.room);
         self.observer.ledger.limit_credit(self.room);
         let most = (sum.larger(zero) / sample.period).smaller(self.power);
         let given = -effort.inner(sample.velocity);
         let factor = V::Scalar::choose(given.above(most), most / given, one);
         let timed = sample.period.above(zero);
-        let accepted =
-            (given + sample.period + sample.work.sum()).finite() & effort.finite() & timed;
+        let accepted = booked & (given + sample.period).finite() & effort.finite() & timed;
         limiting(effort.scale(factor), sum, accepted)
     }
 }
@@ -176,9 +177,7 @@ impl<T: Scalar, C, A> Tank<T, C, A> {
         self.power = Requirement::Limit.check("tank power", power)?;
         Ok(())
     }
-}
 
-impl<T: Scalar, C, A> Tank<T, C, A> {
     /// The candidate.
     pub fn candidate(&self) -> &C {
         &self.observer.candidate

@@ -142,10 +142,7 @@ blocks! {
             /// The fastest rotation, rad/s, above 0; infinity: no limit.
             fastest_rotation: T,
         };
-        |given| {
-            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
-            Ok(poses(given.period, translation, rotation)?.measured())
-        };
+        |given| Ok(poses(given.period, given.fastest_translation, given.fastest_rotation)?.measured());
         [life moving_pose_reading place]
     }
     /// Readings of poses at a fixed period, with twists through a low pass.
@@ -162,10 +159,7 @@ blocks! {
             /// Cutoff of the low pass, Hz.
             cutoff: T,
         };
-        |given| {
-            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
-            poses(given.period, translation, rotation)?.low_passed(given.cutoff)
-        };
+        |given| poses(given.period, given.fastest_translation, given.fastest_rotation)?.low_passed(given.cutoff);
         [life pose_reading place]
     }
     /// Readings of poses at a fixed period, with twists over up to 16 readings.
@@ -184,10 +178,7 @@ blocks! {
             /// Largest distance from a line, m and rad.
             band: T,
         };
-        |given| {
-            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
-            poses(given.period, translation, rotation)?.windowed(given.ticks, given.band)
-        };
+        |given| poses(given.period, given.fastest_translation, given.fastest_rotation)?.windowed(given.ticks, given.band);
         [life pose_reading place]
     }
     /// Readings of poses at the times of a clock, with twists by differences.
@@ -203,10 +194,7 @@ blocks! {
             /// counts as one over a whole period, so that the twist may be above it.
             fastest_rotation: T,
         };
-        |given| {
-            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
-            Ok(poses(given.period, translation, rotation)?.clocked())
-        };
+        |given| Ok(poses(given.period, given.fastest_translation, given.fastest_rotation)?.clocked());
         [life pose_reading_at place]
     }
     /// Readings of poses at the times of a clock, with twists that the device measures.
@@ -222,10 +210,7 @@ blocks! {
             /// counts as one over a whole period.
             fastest_rotation: T,
         };
-        |given| {
-            let (translation, rotation) = (given.fastest_translation, given.fastest_rotation);
-            Ok(poses(given.period, translation, rotation)?.measured().clocked())
-        };
+        |given| Ok(poses(given.period, given.fastest_translation, given.fastest_rotation)?.measured().clocked());
         [life moving_pose_reading_at place]
     }
 }

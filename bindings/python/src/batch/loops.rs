@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::arrays::Given;
 use super::corrections::{Corrections, Scarce, Written, scarce};
 use super::lanes::{LANES, Lanes, write_mask};
-use crate::axes::no_block_of;
+use crate::axes::{no_block_of, whatever_axes};
 use crate::blocks::{Recipe, Stabilizer, seen, taken};
 use crate::errors::{self, of_class};
 use crate::lab::pool;
@@ -133,13 +133,7 @@ impl Batch {
         ];
         let (py, this) = (slf.py(), &mut *taken(slf)?);
         let loops = this.loops;
-        match &mut this.groups {
-            AnyGroups::One(groups) => stabilized(py, groups, loops, &given),
-            AnyGroups::Two(groups) => stabilized(py, groups, loops, &given),
-            AnyGroups::Three(groups) => stabilized(py, groups, loops, &given),
-            AnyGroups::Six(groups) => stabilized(py, groups, loops, &given),
-            AnyGroups::Seven(groups) => stabilized(py, groups, loops, &given),
-        }
+        whatever_axes!(&mut this.groups, AnyGroups, groups => stabilized(py, groups, loops, &given))
     }
 
     /// A copy with the same memory.

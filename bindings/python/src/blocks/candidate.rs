@@ -7,12 +7,11 @@ use lyapunov::{
 };
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 
 use super::sample::checked;
 use super::{Raised, Sample};
 use crate::axes::Axes;
-use crate::errors::kind;
+use crate::errors::{self, kind};
 use crate::number;
 
 /// Candidate of an observer.
@@ -37,19 +36,9 @@ impl<V: Axes> LyapunovCandidate<V> for Candidate {
 impl Candidate {
     /// An object written in Python, with the method that a candidate has.
     pub(crate) fn checked(object: Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
-        if let Ok(class) = object.cast::<PyType>() {
-            let name = class.name()?;
-            return Err(PyTypeError::new_err(format!(
-                "candidate is the class {name}; give an object of it"
-            )));
-        }
-        if object.hasattr("decrease")? {
-            return Ok(object.unbind());
-        }
-        Err(PyTypeError::new_err(format!(
-            "candidate is {}; give an object with a method decrease(sample), which returns joules",
-            kind(&object)
-        )))
+        let remedy = "an object with a method decrease(sample), which returns joules";
+        errors::with_method(&object, "candidate", "decrease", remedy)?;
+        Ok(object.unbind())
     }
 }
 

@@ -6,11 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use lyapunov::{Correction as Corrected, PortSample, Stabilizer};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyType;
 
 use super::sample::checked;
 use super::{Correction, Raised, Sample, Stabilizer as Block, seen};
 use crate::axes::Axes;
+use crate::errors;
 
 /// An object with a method `stabilize(sample, effort)` that returns a `Correction`.
 #[derive(Debug)]
@@ -53,19 +53,9 @@ impl PythonStabilizer {
 
     /// Checks that `object`, called `name` there, has the method.
     pub(crate) fn check(object: &Bound<'_, PyAny>, name: &str) -> PyResult<()> {
-        if let Ok(class) = object.cast::<PyType>() {
-            return Err(PyTypeError::new_err(format!(
-                "{name} is the class {}; give an object of it",
-                class.name()?
-            )));
-        }
-        if object.hasattr("stabilize")? {
-            return Ok(());
-        }
-        Err(PyTypeError::new_err(format!(
-            "{name} is {}; give a name of docs/family.md, or an object with a method stabilize(sample, effort)",
-            object.get_type().name()?
-        )))
+        let remedy =
+            "a name of docs/family.md, or an object with a method stabilize(sample, effort)";
+        errors::with_method(object, name, "stabilize", remedy)
     }
 
     fn asked<V: Axes>(

@@ -54,7 +54,7 @@ const FAMILY: [(&str, &[Number]); 15] = [
     ),
     ("energy-bounding", &[needed("c1", "N/m"), needed("c2", "N/m")]),
     ("force-bounding", &[DAMPING]),
-    ("least-norm", &[LIMIT, needed("decay", "1/s")]),
+    ("least-norm", &[LIMIT, needed("decay", "1/tick")]),
     ("slope-bound", &[needed("slope", "N/m")]),
 ];
 

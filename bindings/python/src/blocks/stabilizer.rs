@@ -47,7 +47,7 @@ on_any_axes! {
 /// - `slope-bound`: slope
 ///
 /// `limit` N·s/m (see `damping_limit`), `damping` N·s/m, `credit`, `start`, `floor` and `ceiling` J, `power` W, `velocity`
-/// m/s, `rate` N/s, `slope`, `c1` and `c2` N/m, `decay` 1/s, `ticks` whole.
+/// m/s, `rate` N/s, `slope`, `c1` and `c2` N/m, `decay` 1/tick (at most 1), `ticks` whole.
 ///
 /// One stabilizer belongs to one loop: a call while another is under way raises RuntimeError.
 #[pyclass(module = "lyapunov")]

@@ -56,6 +56,11 @@ impl<R: Read> Log<R> {
         columns: &Columns,
         scales: &[Scale],
     ) -> Result<Self, LogError> {
+        if let Some(scale) = scales.iter().find(|scale| !columns.has(scale.role)) {
+            let letter = scale.role.letter();
+            return Err(LogError::new(format!("there is no column of {letter} to scale"))
+                .with_help("name it as the fourth of --columns, or leave its --scale out"));
+        }
         let mut lines = Lines::new(reader);
         let Head { layout, below, mut first } = Head::read(&mut lines, name, columns)?;
         let (mut factors, mut scaled) = ([1.0; 4], [false; 4]);

@@ -126,7 +126,7 @@ impl LoopMap {
             };
             ratio(value, derivative)
         };
-        let mut places: Vec<_> = circle(count, 1.0).map(|z| z - one).collect();
+        let mut places: Vec<_> = circle(count).map(|z| z - one).collect();
         settle(&mut places, step);
         let polished = places.into_iter().map(|w| {
             // The value to all digits; its derivative needs few.

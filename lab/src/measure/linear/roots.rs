@@ -44,10 +44,10 @@ fn is_finite(value: &Complex<f64>) -> bool {
     value.re.is_finite() && value.im.is_finite()
 }
 
-/// `count` places on a circle, none on the real axis and no two mirrored.
-pub(super) fn circle(count: usize, radius: f64) -> impl Iterator<Item = Complex<f64>> {
+/// `count` places on the unit circle, none on the real axis and no two mirrored.
+pub(super) fn circle(count: usize) -> impl Iterator<Item = Complex<f64>> {
     (0..count).map(move |index| {
         let angle = std::f64::consts::TAU * index as f64 / count as f64 + 0.4;
-        Complex::new(radius * libm::cos(angle), radius * libm::sin(angle))
+        Complex::new(libm::cos(angle), libm::sin(angle))
     })
 }

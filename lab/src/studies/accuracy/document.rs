@@ -131,9 +131,7 @@ impl Study {
         };
         serde_json::to_string_pretty(&document).map(|text| text + "\n")
     }
-}
 
-impl Study {
     /// The settings as comma-separated values, the fastest first.
     pub fn csv(&self) -> String {
         csv::records(self.rows.iter().map(Line::of))

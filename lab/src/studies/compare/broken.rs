@@ -68,9 +68,7 @@ impl Broken {
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
-}
 
-impl Broken {
     /// The counts as a table.
     pub(super) fn table(&self) -> Table {
         let headings = [

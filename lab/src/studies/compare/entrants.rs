@@ -91,9 +91,7 @@ impl<V: Space> Entrants<V> {
         self.entries.push(Entrant { name, like, make: Box::new(make) });
         self
     }
-}
 
-impl<V: Space> Entrants<V> {
     /// The entrants of [`StabilizerNames::standard`].
     pub fn standard() -> Self {
         Self::of(StabilizerNames::standard())

@@ -159,9 +159,7 @@ impl Explanation {
         });
         Table::new(headings).with_rows(rows)
     }
-}
 
-impl Explanation {
     /// A line's name: what takes the remainder names all that is in it.
     fn line(&self, name: &str) -> String {
         let effects = &self.scene.effects;

@@ -59,11 +59,6 @@ pub struct Settings {
 
 impl Settings {
     fn check(&self) -> Result<(), LogError> {
-        if let Some(scale) = self.scales.iter().find(|scale| !self.columns.has(scale.role)) {
-            let letter = scale.role.letter();
-            return Err(LogError::new(format!("there is no column of {letter} to scale"))
-                .with_help("name it as the fourth of --columns, or leave its --scale out"));
-        }
         match self.contact {
             Some(force) if !(force >= 0.0 && force.is_finite()) => {
                 Err(LogError::new(format!("the contact threshold is {force} N"))

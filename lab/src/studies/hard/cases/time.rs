@@ -211,9 +211,7 @@ impl Late {
         let apart = one.iter().zip(other).map(|(a, b)| (*a - *b).magnitude());
         apart.fold(T::zero(), |most, next| T::choose(next.below(most), most, next))
     }
-}
 
-impl Late {
     /// Measurements of a late run under `member`, with its distance from an early run as the value.
     fn both<T: Scalar + Space>(
         &self,
