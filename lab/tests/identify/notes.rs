@@ -169,6 +169,23 @@ fn what_tells_nothing_is_refused_with_a_remedy() {
     }
 }
 
+/// In lasting contact the wall's force bends a larger mass on a larger spring in the same way: 0.3 kg at 200 + 1000 N/m move as
+/// 0.25 kg at 1000 N/m.
+#[test]
+fn a_contact_that_never_ends_is_refused_with_a_remedy() {
+    for (damping, encoder) in [(0.0, 0.0), (3.0, 0.0), (10.0, 0.0), (0.0, 1e-6), (10.0, 1e-5)] {
+        let pressed =
+            Truth { rest: 0.1, wall: [-0.02, 1000.0, damping], encoder, late: 1, ..PLAIN };
+        let error = fitted(&pressed.log(800, &mut Chance::new(7))).unwrap_err();
+        assert!(error.message().contains("f is the force of one spring and damper"), "{error}");
+        assert!(error.help().is_some_and(|it| it.contains("free motion")), "{error}");
+        // Contact and free motion tell the mass.
+        let tapped = Truth { rest: PLAIN.rest, wall: PLAIN.wall, ..pressed };
+        let mass = of(tapped, 800).report.mass;
+        assert!((mass.low..=mass.high).contains(&0.3), "{damping} {encoder}: {mass:?}");
+    }
+}
+
 /// Numbers of any size end in a result or an error.
 #[test]
 fn hostile_logs_end_without_a_panic() {

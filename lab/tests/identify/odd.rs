@@ -121,6 +121,22 @@ fn a_clipped_force_with_few_rows_below_is_told() {
 }
 
 #[test]
+fn a_force_where_the_wall_gives_none_is_told() {
+    let sound = PLAIN.log(800, &mut Chance::new(7));
+    let words = "where this wall gives none";
+    assert!(!says(&fitted(&sound), words));
+    let mut pulled = 0;
+    let log = changed(&sound, |row, [t, x, f]| {
+        let pulls = f == 0.0 && row % 4 == 0;
+        pulled += usize::from(pulls);
+        Some([t, x, if pulls { -3.0 } else { f }])
+    });
+    let found = fitted(&log);
+    let told = format!("f is up to 3 N in {pulled} rows {words}");
+    assert!(says(&found, &told), "{told}: {:?}", found.report.notes);
+}
+
+#[test]
 fn a_short_log_is_refused() {
     let error = |rows: usize| {
         let log = PLAIN.log(rows, &mut Chance::new(11));

@@ -4,6 +4,7 @@ use nalgebra::Vector4;
 
 use super::blocks::{Spread, spread};
 use super::estimate::Estimate;
+use super::feedback::is_feedback;
 use super::least_squares::inverse;
 use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING, before};
 use super::plant::{Fit, Setting};
@@ -71,6 +72,7 @@ pub(super) enum Fault {
     Short,
     Still,
     NoForce,
+    Feedback,
     NoMass,
 }
 
@@ -87,9 +89,13 @@ impl Fault {
                 "f is 0 in all rows, so only ratios to the mass are told",
                 "record a contact: the force that moves the device tells its mass",
             ),
+            Self::Feedback => (
+                "f is the force of one spring and damper in all rows, so only ratios to the mass are told",
+                "record free motion as well as contact: begin away from the wall, or leave it",
+            ),
             Self::NoMass => (
                 "the force does not tell the mass: a mass without end lies within its 95 % interval",
-                "record firmer or longer contacts; check the sign of f (--scale f=-1) and its unit",
+                "record firmer or longer contacts, with free motion between them; check the sign of f (--scale f=-1) and its unit",
             ),
         };
         let cut = matches!(self, Self::Short | Self::NoMass) && gaps > 0;
@@ -113,6 +119,9 @@ impl Device {
         }
         if recording.largest_force() == 0.0 {
             return Err(Fault::NoForce);
+        }
+        if is_feedback(stretches) {
+            return Err(Fault::Feedback);
         }
         let setting = Setting {
             stretches,

@@ -25,6 +25,7 @@ mod base;
 mod blocks;
 mod device;
 mod estimate;
+mod feedback;
 mod least_squares;
 mod motion;
 mod notes;

@@ -2,7 +2,7 @@
 
 use super::device::Device;
 use super::recording::Recording;
-use super::wall::{Seen, Wall};
+use super::wall::{STRAY, Seen, Wall};
 use crate::text::{found, prefixed};
 
 /// Share of the force in contact above which a wall is said to leave something.
@@ -26,6 +26,7 @@ pub(super) fn notes(recording: &Recording, device: &Device, wall: Option<&Wall>)
         no_wall(recording, wall),
         wall.and_then(clipped),
         wall.and_then(|wall| left(recording, wall)),
+        wall.and_then(stray),
         wall.and_then(blurred),
         Some("hand and device move as one here: a log of one position does not tell their masses apart".to_owned()),
     ];
@@ -131,6 +132,18 @@ fn left(recording: &Recording, wall: &Wall) -> Option<String> {
         "f is not a spring and a damper of x and its backward difference: a filtered v (give it as a column), fewer rows than \
          ticks, another sensor, a clipped or noisy f; the wall's intervals may not count that"
             .to_owned()
+    })
+}
+
+fn stray(wall: &Wall) -> Option<String> {
+    let rows = if wall.strays == 1 { "row" } else { "rows" };
+    (wall.stray > STRAY * wall.largest).then(|| {
+        format!(
+            "f is up to {} in {} {rows} where this wall gives none: an environment that pulls, or damping in free motion; no wall of \
+             the scene does that",
+            prefixed(wall.stray, "N"),
+            wall.strays
+        )
     })
 }
 

@@ -27,6 +27,9 @@ const FEWEST: usize = 6;
 const CLIPPED: f64 = 0.9;
 const BEYOND: f64 = 0.05;
 
+/// Share of the largest force from which on a force out of contact is no error of a sensor.
+pub(super) const STRAY: f64 = 0.1;
+
 /// Share of the force that a wall has to explain, as root mean squares.
 const EXPLAINED: f64 = 0.5;
 
@@ -74,6 +77,9 @@ pub(super) struct Wall {
     pub(super) largest: f64,
     pub(super) at_most: usize,
     pub(super) is_clipped: bool,
+    /// The largest magnitude of the force out of contact, N, and the rows there with more than a share [`STRAY`] of the largest.
+    pub(super) stray: f64,
+    pub(super) strays: usize,
     cost: f64,
 }
 
@@ -176,6 +182,7 @@ impl Wall {
         };
         let mean_square = |of: &dyn Fn(&Touch) -> f64| mean(&|it| of(it).powi(2));
         let off = |it: &Touch| it.force - wall(&at, it);
+        let outside = || touches.iter().filter(|it| wall(&at, it) == 0.0).map(|it| it.force.abs());
         let [middle, drift] = [mean(&|it| it.position), mean(&|it| it.velocity)];
         Some(Self {
             at,
@@ -191,6 +198,8 @@ impl Wall {
             largest,
             at_most: 0,
             is_clipped: false,
+            stray: outside().fold(0.0, f64::max),
+            strays: outside().filter(|it| *it > STRAY * largest).count(),
             cost: touches.iter().map(|it| off(it).powi(2)).sum::<f64>() / touches.len() as f64,
         })
     }

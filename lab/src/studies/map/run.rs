@@ -205,7 +205,7 @@ impl<'a> Run<'a> {
         let rows = self.grid.rows(0).max(self.grid.rows(self.grid.cells() - 1));
         let fast = matches!(self.method, Method::Kernel(_))
             && self.grid.stabilizers.iter().all(|member| member.basic_name().is_some());
-        let steps: u64 = if fast { 20_000_000 } else { 1_000_000 };
+        let steps: u64 = if fast { 20_000_000 } else { 64_000 };
         ((steps / rows) as usize * self.threads()).clamp(self.threads(), MOST / 4)
     }
 
@@ -328,8 +328,10 @@ impl<'a> Run<'a> {
         of: impl Fn(&[u64]) -> Result<Option<Vec<R>>, RunError> + Sync,
     ) -> Result<Vec<R>, RunError> {
         let mut left = cells;
+        // A band of few cells is one that takes long.
+        let least = LEAST.min(cells.len().div_ceil(self.threads()));
         let shares = std::iter::from_fn(|| {
-            let share = (left.len() / (4 * self.threads())).clamp(LEAST, SHARE).min(left.len());
+            let share = (left.len() / (4 * self.threads())).clamp(least, SHARE).min(left.len());
             left.split_off(..share).filter(|share| !share.is_empty())
         });
         let one = |cells: &[u64]| of(cells)?.ok_or(RunError::Stopped);

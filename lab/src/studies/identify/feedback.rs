@@ -1,0 +1,48 @@
+//! Force that one spring and one damper make in all rows of a log.
+
+use nalgebra::{Matrix4, Vector4};
+
+use super::least_squares::inverse;
+use super::stretch::Stretch;
+use super::wall::LAGS;
+
+/// Share of the force's deviation by which a row may be off, and the most rows that may be further off.
+const OFF: f64 = 0.1;
+const FEW: usize = 5;
+
+/// Whether `f = K x + B v + c` in all rows, at most [`LAGS`] rows late, with the backward difference or the log's velocity: such a
+/// force follows from the motion, and bends every motion of a larger mass with a larger damping and spring as it bends this one.
+pub(super) fn is_feedback(stretches: &[Stretch]) -> bool {
+    (0..=LAGS).any(|lag| {
+        let rows: Vec<_> = stretches.iter().flat_map(|it| rows(it, lag)).collect();
+        fits(&rows, [true; 4]) || fits(&rows, [true, true, true, false])
+    })
+}
+
+/// What each row's force may follow from, and that force.
+fn rows(stretch: &Stretch, lag: usize) -> impl Iterator<Item = (Vector4<f64>, f64)> + '_ {
+    (lag + 1..stretch.len()).map(move |row| {
+        let at = row - lag;
+        let [last, now] = [at - 1, at].map(|row| stretch.positions[row]);
+        let difference = (now - last) / (stretch.times[at] - stretch.times[at - 1]);
+        let velocity = stretch.velocities.get(at).copied().unwrap_or_default();
+        (Vector4::new(now, difference, 1.0, velocity), stretch.forces[row])
+    })
+}
+
+fn fits(rows: &[(Vector4<f64>, f64)], free: [bool; 4]) -> bool {
+    let count = rows.len() as f64;
+    let middle = rows.iter().map(|it| it.1).sum::<f64>() / count;
+    let deviation = (rows.iter().map(|it| (it.1 - middle).powi(2)).sum::<f64>() / count).sqrt();
+    // A constant force tells no mass either, but for another reason.
+    if deviation <= f64::EPSILON.sqrt() * middle.abs() {
+        return false;
+    }
+    let known: Matrix4<f64> = rows.iter().map(|it| it.0 * it.0.transpose()).sum();
+    let told: Vector4<f64> = rows.iter().map(|it| it.0 * (it.1 - middle)).sum();
+    let Some(law) = inverse(&known, free).map(|inverse| inverse * told) else {
+        return false;
+    };
+    let off = |it: &&(Vector4<f64>, f64)| (it.1 - middle - it.0.dot(&law)).abs() > OFF * deviation;
+    rows.iter().filter(off).count() <= FEW
+}
