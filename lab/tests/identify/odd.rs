@@ -125,13 +125,12 @@ fn a_force_where_the_wall_gives_none_is_told() {
     let sound = PLAIN.log(800, &mut Chance::new(7));
     let words = "where this wall gives none";
     assert!(!says(&fitted(&sound), words));
-    let mut pulled = 0;
-    let log = changed(&sound, |row, [t, x, f]| {
-        let pulls = f == 0.0 && row % 4 == 0;
-        pulled += usize::from(pulls);
-        Some([t, x, if pulls { -3.0 } else { f }])
-    });
-    let found = fitted(&log);
+    let pulls = |row: usize, f: f64| f == 0.0 && row % 4 == 1;
+    let force = |line: &str| line.rsplit(',').next().unwrap().parse::<f64>().unwrap();
+    let rows = sound.lines().skip(1).enumerate();
+    let pulled = rows.filter(|(row, line)| pulls(*row, force(line))).count();
+    let log = |row, [t, x, f]: [f64; 3]| Some([t, x, if pulls(row, f) { -3.0 } else { f }]);
+    let found = fitted(&changed(&sound, log));
     let told = format!("f is up to 3 N in {pulled} rows {words}");
     assert!(says(&found, &told), "{told}: {:?}", found.report.notes);
 }
