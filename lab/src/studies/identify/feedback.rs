@@ -7,7 +7,7 @@ use super::stretch::Stretch;
 use super::wall::LAGS;
 
 /// Share of the force's deviation by which a row may be off, and the most rows that may be further off.
-const OFF: f64 = 0.1;
+const OFF: f64 = 0.01;
 const FEW: usize = 5;
 
 /// Whether `f = K x + B v + c` in all rows, at most [`LAGS`] rows late, with the backward difference or the log's velocity: such a
