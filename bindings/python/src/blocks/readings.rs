@@ -187,7 +187,9 @@ impl Readings {
         }
         text + ")"
     }
+}
 
+impl Readings {
     fn memory(&self) -> PyResult<Vec<u8>> {
         whatever_axes!(&self.readings, AnyReadings, it => {
             whatever_kind!(it, it => stored::write(&it.state()))

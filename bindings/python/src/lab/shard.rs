@@ -146,7 +146,9 @@ impl MapMerge {
             Ok(Told { columns: rows.columns(survey.grid()).into(), ..told(&survey, None)? })
         })
     }
+}
 
+impl MapMerge {
     fn taken(&mut self) -> PyResult<Begun> {
         self.begun.take().ok_or_else(|| errors::input("the merge has ended: begin another"))
     }
