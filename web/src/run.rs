@@ -1,9 +1,10 @@
 //! Runs of a scene from its start.
 
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Csv, Rollout, Row, Space, Summary, Verdict, in_space};
+use lyapunov_lab::{Csv, Rollout, Row, Space, Summary, in_space};
 
 use crate::exchange::{answer, bytes};
+use crate::map::place;
 use crate::scene::{parsed, stabilized};
 
 /// Runs a scene; the output is its rows, as the command `run` writes them.
