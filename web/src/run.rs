@@ -1,7 +1,7 @@
 //! Runs of a scene from its start.
 
 use lyapunov_lab::scene::Scene;
-use lyapunov_lab::{Csv, Rollout, Row, Space, Summary, in_space};
+use lyapunov_lab::{Csv, Rollout, Row, Space, Summary, Verdict, in_space};
 
 use crate::exchange::{answer, bytes};
 use crate::map::place;
