@@ -100,7 +100,8 @@ where
         let square = sample.velocity.inner(sample.velocity) * sample.period;
         let slack = self.decay * sum + effort.inner(sample.velocity) * sample.period;
         let timed = sample.period.above(zero);
-        let accepted = booked & (slack + square).finite() & effort.finite() & timed;
+        let sound = (slack + square + sample.work.sum()).finite() & effort.finite();
+        let accepted = booked & sound & timed;
         // The divisor stays normal, and the margin rounds up, so that what is served is served in full.
         let margin = V::Scalar::of(1.0) - V::Scalar::of(4.0) * V::Scalar::epsilon();
         let lacking = (-slack).larger(zero);

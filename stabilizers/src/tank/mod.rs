@@ -129,7 +129,8 @@ where
         let given = -effort.inner(sample.velocity);
         let factor = V::Scalar::choose(given.above(most), most / given, one);
         let timed = sample.period.above(zero);
-        let accepted = booked & (given + sample.period).finite() & effort.finite() & timed;
+        let sound = (given + sample.period + sample.work.sum()).finite() & effort.finite();
+        let accepted = booked & sound & timed;
         limiting(effort.scale(factor), sum, accepted)
     }
 }
