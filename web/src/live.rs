@@ -23,7 +23,7 @@ struct Live {
     tick: u64,
 }
 
-/// What a scene has that one mass on a line does not show.
+/// The part of a scene that one mass on a line does not show; none where a hand holds it.
 fn beyond(scene: &Scene) -> Option<&'static str> {
     let effects = &scene.effects;
     let all = [

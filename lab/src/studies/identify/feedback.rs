@@ -19,7 +19,7 @@ pub(super) fn is_feedback(stretches: &[Stretch]) -> bool {
     })
 }
 
-/// What each row's force may follow from, and that force.
+/// Each row's position and velocities, from which its force may follow, and that force.
 fn rows(stretch: &Stretch, lag: usize) -> impl Iterator<Item = (Vector4<f64>, f64)> + '_ {
     (lag + 1..stretch.len()).map(move |row| {
         let at = row - lag;
