@@ -186,6 +186,17 @@ fn a_contact_that_never_ends_is_refused_with_a_remedy() {
     }
 }
 
+/// A single short contact in a long log is none that lasts.
+#[test]
+fn a_short_tap_is_no_feedback() {
+    let hard = Truth { wall: [0.0149, 5e4, 0.0], ..PLAIN };
+    let log = hard.log(60_000, &mut Chance::new(7));
+    let touched = log.lines().filter(|line| !line.ends_with(",0.0")).count() - 1;
+    assert!((3..60).contains(&touched), "{touched} rows of contact");
+    let mass = fitted(&log).unwrap().report.mass;
+    assert!((mass.low..=mass.high).contains(&0.3), "{mass:?}");
+}
+
 /// Numbers of any size end in a result or an error.
 #[test]
 fn hostile_logs_end_without_a_panic() {

@@ -6,9 +6,8 @@ use super::least_squares::inverse;
 use super::stretch::Stretch;
 use super::wall::LAGS;
 
-/// Share of the force's deviation by which a row may be off, and the most rows that may be further off.
-const OFF: f64 = 0.01;
-const FEW: usize = 5;
+/// Share of the force's deviation that such a spring and damper may leave, root mean square.
+const LEFT: f64 = 0.01;
 
 /// Whether `f = K x + B v + c` in all rows, at most [`LAGS`] rows late, with the backward difference or the log's velocity: such a
 /// force follows from the motion, and bends every motion of a larger mass with a larger damping and spring as it bends this one.
@@ -31,18 +30,17 @@ fn rows(stretch: &Stretch, lag: usize) -> impl Iterator<Item = (Vector4<f64>, f6
 }
 
 fn fits(rows: &[(Vector4<f64>, f64)], free: [bool; 4]) -> bool {
-    let count = rows.len() as f64;
-    let middle = rows.iter().map(|it| it.1).sum::<f64>() / count;
-    let deviation = (rows.iter().map(|it| (it.1 - middle).powi(2)).sum::<f64>() / count).sqrt();
+    let middle = rows.iter().map(|it| it.1).sum::<f64>() / rows.len() as f64;
+    let squares = |law: Vector4<f64>| {
+        let left = rows.iter().map(|(seen, force)| force - middle - seen.dot(&law));
+        left.map(|it| it * it).sum::<f64>()
+    };
+    let all = squares(Vector4::zeros());
     // A constant force tells no mass either, but for another reason.
-    if deviation <= f64::EPSILON.sqrt() * middle.abs() {
+    if all <= f64::EPSILON * middle * middle * rows.len() as f64 {
         return false;
     }
     let known: Matrix4<f64> = rows.iter().map(|it| it.0 * it.0.transpose()).sum();
     let told: Vector4<f64> = rows.iter().map(|it| it.0 * (it.1 - middle)).sum();
-    let Some(law) = inverse(&known, free).map(|inverse| inverse * told) else {
-        return false;
-    };
-    let off = |it: &&(Vector4<f64>, f64)| (it.1 - middle - it.0.dot(&law)).abs() > OFF * deviation;
-    rows.iter().filter(off).count() <= FEW
+    inverse(&known, free).is_some_and(|inverse| squares(inverse * told) <= LEFT * LEFT * all)
 }
