@@ -213,7 +213,7 @@ fn what_cannot_be_right_is_named() {
         (inf, 1.0, ("surface", inf)),
         (0.0, -1.0, ("memory depth", -1.0)),
         (0.0, inf, ("memory depth", inf)),
-        (0.0, tiny, ("memory cell", 0.0)),
+        (0.0, tiny, ("memory depth", tiny)),
     ] {
         assert_eq!(refused(MemoryBased::<f64, 4>::beyond(surface, depth)), told);
         assert_eq!(refused(PathMemory::<f64, 4>::beyond(surface, depth)), told);
