@@ -122,7 +122,8 @@ macro_rules! stabilizers {
                 let given = -(force * velocity);
                 let factor = if given > most { most / given } else { 1.0 };
                 let timed = period > 0.0;
-                let accepted = (given + period + work).is_finite() && force.is_finite() && timed;
+                let sound = (given + period + work).is_finite() && force.is_finite();
+                let accepted = booked && sound && timed;
                 let effort = if accepted { force * factor } else { 0.0 };
                 let shortfall = if -sum > 0.0 { -sum } else { 0.0 };
                 self.told = Told { effort, sum, alpha: 0.0, shortfall, accepted };
