@@ -217,7 +217,7 @@ def test_a_time_that_nothing_uses_is_refused(kind):
         (lambda: ly.Stabilizer("popc", limit=1.0, dampin=1.0), "`popc` has no dampin"),
         (lambda: ly.Stabilizer("lolc"), "`lolc` needs limit, damping\n  = give by name: limit=… in N·s/m, damping=… in N·s/m, or candidate"),
         (lambda: ly.Stabilizer("popc-spread", limit=1.0, ticks=1.5), "must be a whole number"),
-        (lambda: ly.Stabilizer("tank", start=-1.0), "tank"),
+        (lambda: ly.Stabilizer("tank", start=-1.0), "^start is -1.0"),
         (lambda: ly.Observer(damping=-0.1), "damping is -0.1"),
         (lambda: ly.damping_limit(1.0, PERIOD, cap=-1.0), "^cap is -1.0"),
         (lambda: ly.Readings(PERIOD, no_faster_than=-1.0), "^no_faster_than is -1.0"),
