@@ -100,22 +100,23 @@ macro_rules! hand {
                     velocity: &[$real; N],
                     effort: &[$real; N],
                 ) -> Told<N> {
-                    let moving = if square > $real::MIN_POSITIVE { square } else { 0.0 };
-                    let most = -self.most * moving;
+                    let least = $real::MIN_POSITIVE;
+                    let divisor = square * (1.0 - 4.0 * $real::EPSILON);
+                    let inverse = -1.0 / if divisor > least { divisor } else { least };
+                    let most = if square > least { self.most } else { 0.0 };
                     self.sum += decrease;
                     let sum = self.sum;
-                    let debt = if sum < -0.0 { sum } else { -0.0 };
-                    let paid = if debt > most { debt } else { most };
-                    let divisor = square * -(1.0 - 4.0 * $real::EPSILON);
-                    let least = -$real::MIN_POSITIVE;
-                    let alpha = paid / if divisor < least { divisor } else { least };
-                    let alpha = if alpha < self.most { alpha } else { self.most };
+                    let alpha = sum * inverse;
+                    let alpha = if alpha < most { alpha } else { most };
+                    let alpha = if alpha > 0.0 { alpha } else { 0.0 };
+                    let served = sum + alpha * square;
                     let mut out = *effort;
                     for axis in 0..N {
                         out[axis] += velocity[axis] * alpha;
                     }
-                    let accepted = (sum + square + total(&out)).is_finite();
-                    Told { effort: out, sum, alpha, shortfall: paid - debt, accepted }
+                    let shortfall = 0.0 - if served < 0.0 { served } else { 0.0 };
+                    let accepted = (served + total(&out)).is_finite();
+                    Told { effort: out, sum, alpha, shortfall, accepted }
                 }
 
                 #[inline(always)]
@@ -126,7 +127,8 @@ macro_rules! hand {
                     seen: &Sample<N>,
                 ) -> Told<N> {
                     let before = self.sum;
-                    let told = self.correct(decrease, square, &seen.velocity, &seen.effort);
+                    let mut told = self.correct(decrease, square, &seen.velocity, &seen.effort);
+                    told.accepted &= seen.period > 0.0;
                     if told.accepted {
                         return told;
                     }

@@ -4,7 +4,7 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
-use crate::signal::one_axis;
+use crate::one_axis;
 use crate::{Scalar, Signal};
 
 /// Unevaluated sum of two `f64`, the second below half a unit in the last place of the first: about 31 digits over

@@ -14,7 +14,7 @@ use simba::simd::{
     WideBoolF32x8, WideBoolF64x4,
 };
 
-use crate::signal::one_axis;
+use crate::one_axis;
 use crate::{Mask, Scalar, Signal};
 
 /// Mark in a loop over numbers of several lanes, which are vectors by themselves; for one lane it is nothing.

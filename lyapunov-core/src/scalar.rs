@@ -6,7 +6,7 @@ use core::ops::{AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, SubAssi
 use num_traits::One;
 
 use crate::Signal;
-use crate::signal::one_axis;
+use crate::one_axis;
 
 /// Outcome of comparing two [`Scalar`]s: `bool` for one value, a lane mask for several.
 ///

@@ -121,6 +121,8 @@ impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
 }
 
 /// Functions of a signal that has one axis and is its own scalar.
+#[doc(hidden)]
+#[macro_export]
 macro_rules! one_axis {
     (#[$inline:meta] $scalar:ty) => {
         #[$inline]
@@ -139,8 +141,6 @@ macro_rules! one_axis {
         }
     };
 }
-
-pub(crate) use one_axis;
 
 /// Signal of a type with two parts that are signals of one scalar: part by part, with the sum over both unless another one stands
 /// behind it.

@@ -25,7 +25,7 @@ pub(crate) fn axis_of<V: Signal>(signal: V, index: usize) -> V::Scalar {
 
 /// The largest magnitude on an axis; a NaN is never the largest.
 ///
-/// For the crates of this library, as the next one.
+/// For the crates of this library.
 #[doc(hidden)]
 #[inline]
 pub fn largest_axis<V: Signal>(signal: V) -> V::Scalar {

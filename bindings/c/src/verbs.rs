@@ -12,7 +12,7 @@ use crate::port::{CorrectionForm, Port, SampleForm};
 use crate::status::{Code, Status};
 use crate::told::Candidate;
 
-/// The pointers that C hands over.
+/// Initialization of a block in `storage` from its `parameters`.
 ///
 /// # Safety
 /// What every function of C asks of its caller: a pointer that is neither null nor misaligned leads to a variable of its

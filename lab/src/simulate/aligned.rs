@@ -3,7 +3,7 @@
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use lyapunov::lanes::AutoF64x8;
-use lyapunov::{Scalar, Signal};
+use lyapunov::{Scalar, Signal, one_axis};
 use num_traits::{One, Zero};
 
 /// Lanes that fill exactly one line of the cache.
@@ -133,20 +133,7 @@ impl<T: Scalar> Scalar for Aligned<T> {
 impl<T: Scalar> Signal for Aligned<T> {
     type Scalar = Self;
 
-    #[inline(always)]
-    fn splat(value: Self) -> Self {
-        value
-    }
-
-    #[inline(always)]
-    fn zip(self, other: Self, mut f: impl FnMut(Self, Self) -> Self) -> Self {
-        f(self, other)
-    }
-
-    #[inline(always)]
-    fn sum(self) -> Self {
-        self
-    }
+    one_axis!(#[inline(always)] Self);
 
     #[inline(always)]
     fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {

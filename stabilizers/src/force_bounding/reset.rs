@@ -1,8 +1,8 @@
 //! Reset of the account by free motion.
 
-/// Whether free motion is forgotten.
+/// Reset of the account by free motion, or none.
 pub trait Reset {
-    /// It is.
+    /// Whether free motion is forgotten.
     const FORGETS: bool;
 }
 

@@ -6,7 +6,7 @@
 use std::fmt;
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
-use lyapunov::{Mask, Scalar, Signal};
+use lyapunov::{Mask, Scalar, Signal, one_axis};
 use num_traits::{One, Zero};
 use pulp::NullaryFnOnce;
 use pulp::bytemuck::{cast_slice, cast_slice_mut};
@@ -161,20 +161,7 @@ macro_rules! vectors {
         impl<S: Proven, const N: usize> Signal for $lanes<S, N> {
             type Scalar = Self;
 
-            #[inline(always)]
-            fn splat(value: Self) -> Self {
-                value
-            }
-
-            #[inline(always)]
-            fn zip(self, other: Self, mut f: impl FnMut(Self, Self) -> Self) -> Self {
-                f(self, other)
-            }
-
-            #[inline(always)]
-            fn sum(self) -> Self {
-                self
-            }
+            one_axis!(#[inline(always)] Self);
 
             #[inline(always)]
             fn choose(mask: $mask<S, N>, yes: Self, no: Self) -> Self {
