@@ -2,16 +2,6 @@
 
 import { button, made } from "./made.js";
 
-/** The parts of a balance in the words of the command, in its order. */
-const PARTS = [
-  ["hold", "in", "through the hold"], ["delay", "in", "through the delay"], ["filter", "in", "through the filter"],
-  ["encoder", "in", "through the encoder"], ["saturation", "in", "through the saturation"],
-  ["hand", "in", "from the hand that moves"], ["push", "in", "from load and pulse"],
-  ["device", "out", "into the device's damper"], ["operator", "out", "into the operator's damper"],
-  ["link", "out", "into the link's damper"], ["friction", "out", "into friction"], ["wall", "out", "into the wall, by its law"],
-  ["controller", "out", "into the controller"], ["gained", "kept", "in masses and springs"], ["closing", "left", "to rounding"],
-];
-
 const cell = (row, text, tag = "td") => {
   const it = made(tag, {}, text);
   row.append(it);
@@ -35,7 +25,7 @@ function sentence(hint, told, name) {
   return { settles: "It comes to rest.", swinging: "It stays bounded and does not come to rest.", "too short": "The run is too short to judge." }[told.verdict] + linear;
 }
 
-export function tell(parts, { name, sentence: hint, told }, take) {
+export function tell(parts, { name, sentence: hint, rows, told }, take) {
   parts.said.textContent = sentence(hint, told, name);
   const { first_contact: first, whole_run: whole } = told;
   const table = parts.energies;
@@ -45,11 +35,10 @@ export function tell(parts, { name, sentence: hint, told }, take) {
     const seconds = (it) => `${digits(it.from_s)} to ${digits(it.to_s)} s`;
     for (const text of ["energy, mJ", `first contact, ${seconds(first)}`, `whole run, ${seconds(whole)}`]) cell(head, text, "th").scope = "col";
     const body = table.createTBody();
-    for (const [key, way, name] of PARTS) {
-      if (first[key] === 0 && whole[key] === 0) continue;
+    for (const [name, ...energies] of rows) {
       const row = body.insertRow();
-      cell(row, `${way} ${name}`, "th").scope = "row";
-      for (const it of [first, whole]) cell(row, digits(1e3 * it[key]));
+      cell(row, name, "th").scope = "row";
+      for (const it of energies) cell(row, digits(1e3 * it));
     }
   } else {
     cell(table.createTBody().insertRow(), "The wall is never touched.");

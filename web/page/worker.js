@@ -29,8 +29,9 @@ const jobs = {
   /** The explanation of the run under one stabilizer. */
   async explain({ scene, name }, tell) {
     const text = engine.text("explain", `${name}\n${scene}`);
-    const at = text.indexOf("\n");
-    tell({ name, sentence: text.slice(0, at), told: JSON.parse(text.slice(at + 1)) });
+    const [sentence, energies] = text.split("\n", 2);
+    const rows = energies.split("\t").slice(1).map((row) => row.split("|"));
+    tell({ name, sentence, rows, told: JSON.parse(text.slice(sentence.length + energies.length + 2)) });
   },
 
   /** The verdicts over two axes, and the exact limit where the stiffness is one of them. */

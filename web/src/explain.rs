@@ -8,8 +8,8 @@ use lyapunov_lab::{Rollout, Space, Summary, in_space};
 use crate::exchange::{answer, bytes};
 use crate::scene::{parsed, stabilized};
 
-/// Explains a scene under the stabilizer in the first line of the input: the output is the hint of `run` on a line, then
-/// the JSON of `explain`.
+/// Explains a scene under the stabilizer in the first line of the input: the output is the hint of `run` on a line, the
+/// table of energies on the next, a tab before each row and bars between its cells, then the JSON of `explain`.
 #[unsafe(no_mangle)]
 pub extern "C" fn explain() -> u32 {
     answer(|text| {
@@ -23,8 +23,14 @@ fn explained<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
     let summary = Summary::of(scene, rollout);
     let sentence = Hint::of(&summary).sentence().unwrap_or_default();
     let explanation = Explanation::of::<V>(scene).map_err(|error| error.to_string())?;
+    let mut energies = String::new();
+    if let Some(first) = explanation.first_contact {
+        for (name, [first, whole]) in explanation.energies(&first) {
+            energies += &format!("\t{name}|{first:?}|{whole:?}");
+        }
+    }
     let json = explanation.to_json("page").map_err(|error| error.to_string())?;
-    Ok(format!("{sentence}\n{json}").into_bytes())
+    Ok(format!("{sentence}\n{energies}\n{json}").into_bytes())
 }
 
 /// The limits of a scene's stiffness: passive, Gil's rule, exact from and to, spectral radius; NaN where one does not

@@ -88,24 +88,28 @@ export async function words(browser) {
   await closed(page);
 }
 
-/** The explanation that the page shows is the one of `explain`; a remedy's button does what it says. */
-export async function reasons(browser) {
-  const page = await opened(browser);
-  await page.until("document.querySelectorAll('#energies tbody tr').length > 3 && document.querySelector('.remedy')");
-  const path = join(folder, "why.toml");
-  writeFileSync(path, await page.value("lyapunov.scene()"));
+/** The energies that the page shows are in the table of `explain`, by the same names. */
+async function energies(page, path) {
   const text = lyapunov("explain", path);
   const shown = await page.value("[...document.querySelectorAll('#energies tbody tr')].map((it) => [...it.cells].map((cell) => cell.textContent))");
   const mJ = (line) => line.trim().split(/\s{2,}/).slice(-2).map(Number);
   for (const [name, ...energies] of shown) {
-    const words = name.replace(/^\w+ /, "");
-    const line = text.split("\n").find((it) => it.includes(words));
+    const line = text.split("\n").find((it) => it.includes(name));
     assert.ok(line, `${name} is not in\n${text}`);
     mJ(line).forEach((known, index) => {
       const here = Number(energies[index].replaceAll("−", "-"));
       assert.ok(Math.abs(here - known) <= 6e-3 * Math.abs(known) || Math.abs(here) < 1e-6, `${name}: ${here} instead of ${known}`);
     });
   }
+}
+
+/** The explanation that the page shows is the one of `explain`; a remedy's button does what it says. */
+export async function reasons(browser) {
+  const page = await opened(browser);
+  await page.until("document.querySelectorAll('#energies tbody tr').length > 3 && document.querySelector('.remedy')");
+  const path = join(folder, "why.toml");
+  writeFileSync(path, await page.value("lyapunov.scene()"));
+  await energies(page, path);
   const remedies = JSON.parse(lyapunov("explain", path, "--json")).remedies;
   const sets = await page.value("[...document.querySelectorAll('.remedy b')].map((it) => it.textContent)");
   assert.deepEqual(sets, remedies.map(({ set }) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ")));
@@ -120,6 +124,11 @@ export async function reasons(browser) {
   await page.until("document.querySelector('#why-said').textContent.includes('in balance')");
   const note = lyapunov("run", path).replace(/\s+/g, " ").split(" note ")[1].trim();
   assert.equal((await page.value("document.querySelector('#why-said').textContent")).toLowerCase(), `${note.toLowerCase()}.`);
+  const coarse = 'servo_rate = 1000\nduration = 2\nintegrator = "semi-implicit-euler"\ndevice = { mass = 0.2, damping = 3 }\n[environment.wall]\nstiffness = 2000\n[initial]\nposition = -0.01\nvelocity = 0.2\n';
+  writeFileSync(path, coarse);
+  await drop(page, [["coarse.toml", coarse]]);
+  await page.until("document.querySelector('#energies').textContent.includes('integrator')");
+  await energies(page, path);
   await closed(page);
 }
 

@@ -133,7 +133,10 @@ impl<T: Scalar> Scalar for Aligned<T> {
 impl<T: Scalar> Signal for Aligned<T> {
     type Scalar = Self;
 
-    one_axis!(#[inline(always)] Self);
+    one_axis!(
+        #[inline(always)]
+        Self
+    );
 
     #[inline(always)]
     fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {

@@ -152,21 +152,33 @@ impl Explanation {
             Heading::number(format!("first contact\n{}", stretch(first))),
             Heading::number(format!("whole run\n{}", stretch(&self.whole_run))),
         ];
-        let values = LINES.into_iter().map(|(name, of)| (name, [first, &self.whole_run].map(of)));
-        let rows = values.filter(|(_, values)| *values != [0.0, 0.0]).map(|(name, values)| {
-            let [first, whole] = values.map(|value| Cell::from(MILLI * value));
-            [self.line(name).into(), first, whole]
+        let rows = self.energies(first).into_iter().map(|(name, energies)| {
+            let [first, whole] = energies.map(|energy| Cell::from(MILLI * energy));
+            [name.into(), first, whole]
         });
         Table::new(headings).with_rows(rows)
+    }
+
+    /// Each cause's name, and what it moved in the `first` contact and in the whole run, J; without what moved nothing.
+    pub fn energies(&self, first: &Balance) -> Vec<(String, [f64; 2])> {
+        let lines = lines(first).into_iter().zip(lines(&self.whole_run));
+        let moved = lines.filter(|((_, first), (_, whole))| [*first, *whole] != [0.0, 0.0]);
+        moved.map(|((name, first), (_, whole))| (self.line(name), [first, whole])).collect()
     }
 
     /// A line's name: what takes the remainder names all that is in it.
     fn line(&self, name: &str) -> String {
         let effects = &self.scene.effects;
-        let friction = effects.friction.is_some().then_some("friction");
-        let jitter = effects.jitter.is_some().then_some("jitter");
-        let known = friction.into_iter().chain(jitter);
-        let known: Vec<_> = known.chain(self.approximates().then_some("integrator")).collect();
+        let mut known = Vec::new();
+        for (name, is_there) in [
+            ("friction", effects.friction.is_some()),
+            ("jitter", effects.jitter.is_some()),
+            ("integrator", self.approximates()),
+        ] {
+            if is_there {
+                known.push(name);
+            }
+        }
         match name {
             FRICTION => format!("out   into {}", known.join(", ")),
             CLOSING if !known.is_empty() => format!("left  to {}", known.join(", ")),
@@ -180,30 +192,30 @@ impl Explanation {
     }
 }
 
-type Of = fn(&Balance) -> f64;
-
 /// The names of the two lines that take the remainder.
 const FRICTION: &str = "out   into friction";
 const CLOSING: &str = "left  to rounding";
 
 /// The lines of a balance.
-const LINES: [(&str, Of); 15] = [
-    ("in    through the hold", |it| it.hold),
-    ("in    through the delay", |it| it.delay),
-    ("in    through the filter", |it| it.filter),
-    ("in    through the encoder", |it| it.encoder),
-    ("in    through the saturation", |it| it.saturation),
-    ("in    from the hand that moves", |it| it.hand),
-    ("in    from load and pulse", |it| it.push),
-    ("out   into the device's damper", |it| it.device),
-    ("out   into the operator's damper", |it| it.operator),
-    ("out   into the link's damper", |it| it.link),
-    (FRICTION, |it| it.friction),
-    ("out   into the wall, by its law", |it| it.wall),
-    ("out   into the controller", |it| it.controller),
-    ("kept  in masses and springs", |it| it.gained),
-    (CLOSING, |it| it.closing),
-];
+fn lines(of: &Balance) -> [(&'static str, f64); 15] {
+    [
+        ("in    through the hold", of.hold),
+        ("in    through the delay", of.delay),
+        ("in    through the filter", of.filter),
+        ("in    through the encoder", of.encoder),
+        ("in    through the saturation", of.saturation),
+        ("in    from the hand that moves", of.hand),
+        ("in    from load and pulse", of.push),
+        ("out   into the device's damper", of.device),
+        ("out   into the operator's damper", of.operator),
+        ("out   into the link's damper", of.link),
+        (FRICTION, of.friction),
+        ("out   into the wall, by its law", of.wall),
+        ("out   into the controller", of.controller),
+        ("kept  in masses and springs", of.gained),
+        (CLOSING, of.closing),
+    ]
+}
 
 /// Largest force of a run, and the error of its force, if it has one.
 struct Felt(f64, Option<f64>);
