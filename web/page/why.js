@@ -43,10 +43,10 @@ export function tell(parts, { name, sentence: hint, rows, told }, take) {
   } else {
     cell(table.createTBody().insertRow(), "The wall is never touched.");
   }
-  remedies(parts.remedies, told, take, hint);
+  remedies(parts.remedies, { name, told, hint }, take);
 }
 
-function remedies(place, told, take, hint) {
+function remedies(place, { name, told, hint }, take) {
   place.replaceChildren();
   const note = made("p");
   place.append(note);
@@ -56,7 +56,7 @@ function remedies(place, told, take, hint) {
     return;
   }
   const settle = told.verdict === "swinging" && told.remedies.every((it) => it.verdict === "settles");
-  note.textContent = `Each by itself; all were run, and ${settle ? "all settle" : "none grows"}.`;
+  note.textContent = `Each by itself${name === "none" ? "" : " and without a stabilizer"}; all were run, and ${settle ? "all settle" : "none grows"}.`;
   for (const { set, verdict, peak_force_n: peak, force_error_rms_n: error } of told.remedies) {
     const late = set.servo_rate && told.groups.delay_ticks;
     // Without a wall or a solid there is no force error.

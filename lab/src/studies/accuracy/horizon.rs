@@ -35,7 +35,28 @@ pub(super) struct Growth {
     pub(super) grown_at: usize,
 }
 
-/// Sizes of a deviation, as shares of the motion's reach: when it is made, when rounding hides it, and when it is no
+/// The motion's size over time: its reach at the end, and before that less by as much as it widens until then.
+struct Extent {
+    reach: f64,
+    ticks: usize,
+    /// The logarithm of the factor by which the motion widens in a tick, at least 0.
+    widening: f64,
+}
+
+impl Extent {
+    fn of(references: &References) -> Self {
+        let (reach, ticks) = (references.reach(), references.first.len());
+        let widened = widening(&references.first).max(1.0).ln().min(f64::MAX.ln());
+        Self { reach, ticks, widening: widened / (WIDENED * ticks as f64) }
+    }
+
+    /// The size at a tick, m. A run that grows is as large as its reach at its end only.
+    fn at(&self, tick: usize) -> f64 {
+        self.reach * (-self.widening * (self.ticks - tick) as f64).exp()
+    }
+}
+
+/// Sizes of a deviation, as shares of the motion's size: when it is made, when rounding hides it, and when it is no
 /// longer small.
 struct Sizes {
     made: f64,
@@ -44,9 +65,9 @@ struct Sizes {
 }
 
 impl Sizes {
-    /// Whether a deviation of this size tells of its growth.
-    fn are_usable(&self, apart: f64, reach: f64) -> bool {
-        apart > self.lost * reach && apart < self.large * reach
+    /// Whether a deviation from a motion of this `size` tells of its growth.
+    fn are_usable(&self, apart: f64, size: f64) -> bool {
+        apart > self.lost * size && apart < self.large * size
     }
 }
 
@@ -54,6 +75,7 @@ impl Sizes {
 struct Push<'a> {
     scene: &'a Scene,
     references: &'a References,
+    extent: &'a Extent,
     sizes: &'a Sizes,
     from: usize,
 }
@@ -66,9 +88,8 @@ impl Push<'_> {
         grown: bool,
         progress: Progress<'_>,
     ) -> Result<Vec<[DoubleDouble; 2]>, AccuracyError> {
-        let Self { scene, references, sizes, from } = *self;
-        let reach = references.reach();
-        let force = sizes.made * reach * scene.port_mass() / scene.period().powi(2);
+        let Self { scene, references, extent, sizes, from } = *self;
+        let force = sizes.made * extent.at(from) * scene.port_mass() / scene.period().powi(2);
         let (mut first, mut has_grown, mut is_over) = (0.0, !grown, false);
         let enough = |tick: usize, state| {
             if tick <= from {
@@ -79,7 +100,7 @@ impl Push<'_> {
                 first = apart;
             }
             has_grown |= apart > GROWN * first;
-            is_over |= tick > from + 1 && !sizes.are_usable(apart, reach);
+            is_over |= tick > from + 1 && !sizes.are_usable(apart, extent.at(tick));
             has_grown && is_over
         };
         trace_until(pushed(scene, from, force)?, references.first.len(), progress, enough)
@@ -100,26 +121,26 @@ impl Growth {
         references: &References,
         progress: Progress<'_>,
     ) -> Result<Self, AccuracyError> {
-        let (reach, ticks) = (references.reach(), references.first.len());
+        let (extent, ticks) = (Extent::of(references), references.first.len());
         let sizes = match references.second {
             Second::Extrapolation => Sizes { made: 1e-20, lost: 1e-29, large: 1e-10 },
             Second::Adaptive | Second::Double => Sizes { made: 1e-9, lost: 1e-14, large: 1e-5 },
         };
         let (mut from, mut grown_at, mut logarithm, mut time) = (0, ticks, 0.0, 0.0);
         for segment in 0..SEGMENTS {
-            if reach <= 0.0 || from + 2 >= ticks {
+            if extent.reach <= 0.0 || from + 2 >= ticks {
                 break;
             }
             let part = progress
                 .part(segment as f64 / SEGMENTS as f64, (segment + 1) as f64 / SEGMENTS as f64);
-            let push = Push { scene, references, sizes: &sizes, from };
+            let push = Push { scene, references, extent: &extent, sizes: &sizes, from };
             let pushed = push.followed(segment == 0, part)?;
             let apart = |tick: usize| push.apart(tick, pushed[tick]);
             let (end, first) = (pushed.len(), apart(from + 1));
             if segment == 0 {
                 grown_at = (1..end).find(|&tick| apart(tick) > GROWN * first).unwrap_or(end);
             }
-            let is_over = |tick: &usize| !sizes.are_usable(apart(*tick), reach);
+            let is_over = |tick: &usize| !sizes.are_usable(apart(*tick), extent.at(*tick));
             let last = (from + 2..end).find(is_over).unwrap_or(end - 1);
             let grown = apart(last) / first;
             if grown > 0.0 && grown.is_finite() {
@@ -130,8 +151,7 @@ impl Growth {
         }
         let exponent = (time > 0.0).then(|| logarithm / time);
         let seconds = ticks as f64 * scene.period();
-        let motion = widening(&references.first).max(1.0).ln() / (WIDENED * seconds);
-        let beyond = exponent.unwrap_or(0.0) - motion;
+        let beyond = exponent.unwrap_or(0.0) - extent.widening / scene.period();
         let chaotic = beyond * seconds > CHAOTIC.ln();
         Ok(Self { exponent, chaotic, grown_at })
     }

@@ -150,6 +150,19 @@ fn a_loop_that_only_grows_is_not_chaotic() {
     assert!((5.5..6.5).contains(&exponent) && !growth.chaotic, "{exponent}");
 }
 
+/// The wall of 50 kN/m without a controller, from 4 mm to 2e25 m. Its tangent map gives 6.85 /s over the 10 s, and a growth of 1e5
+/// in 0.99 s.
+#[test]
+fn a_deviation_is_small_beside_the_motion_of_its_time() {
+    let none = crate::studies::paper::Case::ALL.iter().find(|case| case.name() == "paper-50k-none");
+    let study = study(none.unwrap().text());
+    let growth = study.basis.growth;
+    let exponent = growth.exponent.unwrap();
+    assert!((6.7..7.0).contains(&exponent) && !growth.chaotic, "{exponent}");
+    let grown_at = growth.grown_at as f64 * study.scene.period();
+    assert!((0.96..1.02).contains(&grown_at), "{grown_at}");
+}
+
 /// Ten million terms of about 2.7 µJ: a plain sum in `f32` loses hundredths, the others keep the digits of their port.
 #[test]
 fn ledgers_are_as_good_as_their_sums() {

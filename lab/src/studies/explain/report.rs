@@ -2,7 +2,6 @@
 
 use maud::{Markup, html};
 
-use super::goal::Goal;
 use super::words::{Heads, Told};
 use super::{Explanation, Remedy};
 use crate::show::beside::beside;
@@ -41,7 +40,6 @@ impl Explanation {
             let (changes, outcome) = text.split_once('\n').unwrap_or((&text, ""));
             html! { li { code { (changes) } @for line in outcome.lines() { br; (line.trim()) } } }
         };
-        let outcome = self.goal().map_or("", Goal::words);
         match self.lack() {
             Some(mut lack) => {
                 if let Some(first) = lack.get_mut(..1) {
@@ -50,7 +48,7 @@ impl Explanation {
                 html! { p { (lack) "." } }
             }
             None => html! {
-                p { "Each by itself; all were run, and " (outcome) "." }
+                p { "Each " (self.tried()) "." }
                 ul { @for remedy in &self.remedies { (told(remedy)) } }
             },
         }

@@ -23,8 +23,7 @@ impl fmt::Display for Explanation {
         if let Some(lack) = self.lack() {
             return writeln!(f, "\n{}", folded("  ", &lack));
         }
-        let outcome = self.goal().map_or("", Goal::words);
-        writeln!(f, "\n  what helps, each by itself; all were run, and {outcome}")?;
+        writeln!(f, "\n{}", folded("  ", &format!("what helps, each {}", self.tried())))?;
         for remedy in &self.remedies {
             writeln!(f, "  - {}", Told(remedy))?;
         }
@@ -105,6 +104,15 @@ impl Explanation {
             if delay_ticks == 1 { "tick" } else { "ticks" },
             ""
         )
+    }
+
+    /// The way in which the remedies were tried, and the outcome of all of them.
+    pub(super) fn tried(&self) -> String {
+        let without = self.scene.stabilizer.as_ref().map_or_else(String::new, |it| {
+            format!(" and without the scene's own `stabilizer.{}`", it.name())
+        });
+        let outcome = self.goal().map_or("", Goal::words);
+        format!("by itself{without}; all were run, and {outcome}")
     }
 
     /// The reason why there is no contact.
