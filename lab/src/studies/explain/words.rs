@@ -23,7 +23,7 @@ impl fmt::Display for Explanation {
         if let Some(lack) = self.lack() {
             return writeln!(f, "\n{}", folded("  ", &lack));
         }
-        writeln!(f, "\n{}", folded("  ", &format!("what helps, each {}", self.tried())))?;
+        writeln!(f, "\n  what helps, each {}", self.tried())?;
         for remedy in &self.remedies {
             writeln!(f, "  - {}", Told(remedy))?;
         }
@@ -108,9 +108,8 @@ impl Explanation {
 
     /// The way in which the remedies were tried, and the outcome of all of them.
     pub(super) fn tried(&self) -> String {
-        let without = self.scene.stabilizer.as_ref().map_or_else(String::new, |it| {
-            format!(" and without the scene's own `stabilizer.{}`", it.name())
-        });
+        let alone = self.scene.stabilizer.is_none();
+        let without = if alone { "" } else { " and without the scene's stabilizer" };
         let outcome = self.goal().map_or("", Goal::words);
         format!("by itself{without}; all were run, and {outcome}")
     }
