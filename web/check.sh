@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the page and the book and looks at both in a headless Chromium; says SKIPPED where one of the tools cannot be had.
+# Builds the page and the docs around it and looks at both in a headless Chromium; says SKIPPED where one of the tools cannot be had.
 # The page is compared with the command that is named; without a name that is built.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
@@ -25,5 +25,5 @@ cargo fmt --manifest-path "$here/Cargo.toml" --check
 book=$root/docs/book
 cargo fmt --manifest-path "$book/Cargo.toml" --check
 CARGO_TARGET_DIR=$target cargo test --quiet --manifest-path "$book/Cargo.toml" --doc
-"$book/build.sh"
+"$root/docs/site/build.sh"
 node "$here/test.mjs" "$target/web/index.html" "$command" "$chromium" "$target/web/tools"

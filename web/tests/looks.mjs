@@ -61,10 +61,11 @@ async function heights(page) {
 /** The chapters of the book: equations are drawn, frames show all of a loop, nothing fails or comes from elsewhere, and axe-core finds
  *  nothing serious. */
 export async function book(browser) {
+  const site = join(dirname(dirname(file)), "site");
   for (const [chapter, equations] of Object.entries({ index: 0, port: 4, ledger: 4, candidate: 4, "your-loop": 2 })) {
     for (const [width, scheme] of [[1100, "light"], [1280, "dark"], [600, "dark"], [360, "light"]]) {
       const at = `${chapter} ${width} ${scheme}`;
-      const page = await browser.open(`file://${join(dirname(dirname(file)), "book", `${chapter}.html`)}`, { width, scheme, height: 3000 });
+      const page = await browser.open(`file://${join(site, "book/chapters", `${chapter}.html`)}`, { width, scheme, height: 3000 });
       await page.until("document.querySelector('iframe') !== null");
       assert.ok(await page.value(`document.querySelectorAll('math').length >= ${equations}`), at);
       assert.ok(await page.value("!document.querySelector('main, [role=main]').textContent.includes('$')"), at);
@@ -76,5 +77,23 @@ export async function book(browser) {
       assert.deepEqual(faults, [], at);
       await page.close();
     }
+  }
+}
+
+/** The docs around it: what the menu names is there and no wider than the screen, and axe-core finds nothing serious in one page of eight,
+ *  which are of one template. */
+export async function docs(browser) {
+  const site = join(dirname(dirname(file)), "site");
+  const home = await browser.open(`file://${join(site, "index.html")}`, { width: 1100 });
+  const pages = await home.value("[...document.querySelectorAll('nav .wy-menu a')].map((it) => it.href).filter((it) => !it.includes('#'))");
+  await home.close();
+  assert.ok(pages.length > 50, `${pages.length} pages`);
+  for (const [index, at] of pages.filter((it) => !it.includes("/book/")).entries()) {
+    const page = await browser.open(at, { width: index % 3 ? 360 : 1100, scheme: index % 2 ? "dark" : "light" });
+    await page.until("document.querySelector('h1') !== null");
+    assert.ok(await page.value("document.documentElement.scrollWidth <= innerWidth"), `${at} is too wide`);
+    if (index % 8 === 0) assert.deepEqual(await serious(page), [], at);
+    assert.deepEqual(page.faults().filter((it) => !it.startsWith("request: file://")), [], at);
+    await page.close();
   }
 }

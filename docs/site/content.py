@@ -1,4 +1,5 @@
-"""Equations as MathML when the book is built: `$…$` in a line, `$$…$$` by themselves; listings stay as they are."""
+"""What Markdown alone draws in another way: equations as MathML (`$…$` in a line, `$$…$$` by themselves; listings stay as they are), bars
+in tables, and what is wider than a screen."""
 
 import re
 
@@ -21,7 +22,8 @@ def on_page_markdown(markdown, **_):
 
 
 def on_page_content(html, **_):
-    """What may be wider than a narrow screen is scrolled by keys, too."""
+    """A bar in code in a table has a backslash before it. What may be wider than a narrow screen is scrolled by keys, too."""
+    html = re.sub("<td[ >].*?</td>", lambda cell: cell.group().replace(r"\|", "|"), html, flags=re.DOTALL)
     return re.sub("<(pre><span></span><code|table|math)(?=>| [^>]*display=.block)", r'<\1 tabindex="0"', html)
 
 

@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Builds the documentation into target/site, with the page that web/build.sh made in the chapters of its book; installs MkDocs
+# below target/.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../.." && pwd)
+target=${CARGO_TARGET_DIR:-$root/target}
+target=$(cd "$target" && pwd)
+page=$target/web/index.html
+[ -f "$page" ] || { echo "the page is not built yet: run web/build.sh first"; exit 1; }
+tools=$target/web/site-tools
+if [ ! -x "$tools/bin/mkdocs" ]; then
+    python3 -m venv "$tools"
+    "$tools/bin/pip" install --quiet "mkdocs==1.6.*" "latex2mathml==3.*" "pygments==2.*"
+fi
+"$tools/bin/mkdocs" build --quiet --strict --clean --config-file "$root/mkdocs.yml" --site-dir "$target/site"
+cp "$page" "$target/site/book/chapters/touch.html"
+echo "$target/site/index.html"
