@@ -35,18 +35,20 @@ fn every_shipped_scene_closes_to_rounding() {
 
 #[test]
 fn absent_effects_leak_nothing() {
-    let of = |more: &str| {
+    let loop_with = |more: &str| {
         let text = format!(
             "duration = 1\nservo_rate = 500\ndevice = {{ mass = 0.2, damping = 0.3 }}\n\
              operator = {{ mass = 0.1, damping = 0.2, stiffness = 50.0, rest = 0.004 }}\n\
              environment.wall = {{ stiffness = 900, damping = 1 }}\ninitial.position = -0.004\n{more}"
         );
-        Explanation::of::<f64>(&scene(&text)).unwrap().whole_run
+        scene(&text)
     };
+    let of = |more: &str| Explanation::of::<f64>(&loop_with(more)).unwrap().whole_run;
     let bare = of("");
     let zero =
         |it: Balance| [it.delay, it.filter, it.encoder, it.saturation, it.controller, it.link];
     assert_eq!(zero(bare), [0.0; 6]);
+    assert_eq!(zero(Explanation::of::<f32>(&loop_with("")).unwrap().whole_run), [0.0; 6]);
     assert!(bare.hold > 0.0 && bare.hand == 0.0 && bare.push == 0.0);
     assert!(of("effects.delay.ticks = 2").delay > 0.0);
     assert!(of("effects.filter.cutoff = 30").filter != 0.0);

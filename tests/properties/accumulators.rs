@@ -225,16 +225,3 @@ crate::support::every_real!(raises_debts);
 fn wide_raises_debts() {
     hold(CASES, vec(uniform4(any::<Bits>()), 1..64), |samples| raises::<f32, Wide<f32>>(&samples));
 }
-
-/// What is lowered to a number is that number, without what it had gathered of rounding errors.
-#[test]
-fn a_lowered_sum_forgets_its_error() {
-    let mut sum = Compensated::<f32>::zero();
-    sum.add(1.0);
-    sum.add(2e-8); // half a unit in the last place of 1 is 6e-8: all of it is error
-    assert_eq!(sum.value(), 1.0);
-    sum.lower(0.5);
-    assert_eq!(sum.value(), 0.5);
-    sum.add(-0.5);
-    assert_eq!(sum.value(), 0.0);
-}

@@ -111,9 +111,3 @@ fn numbered(requirement: Requirement) -> (u16, f64) {
         _ => (8, 0.0),
     }
 }
-
-impl From<Result<(), Code>> for Status {
-    fn from(done: Result<(), Code>) -> Self {
-        Self::of(done.err().unwrap_or(Code::Ok))
-    }
-}

@@ -107,13 +107,8 @@ pub unsafe fn retune<K: Kind>(
     let opened = unsafe {
         check::pointer(parameters).and_then(|()| Ok((open(storage)?, parameters.read())))
     };
-    match opened {
-        Ok((storage, parameters)) => match storage.kept.retune(&parameters) {
-            Ok(()) => Status::of(Code::Ok),
-            Err(status) => status,
-        },
-        Err(code) => Status::of(code),
-    }
+    let done = opened.map_err(Status::of).and_then(|(storage, parameters)| storage.kept.retune(&parameters));
+    done.err().unwrap_or(Status::of(Code::Ok))
 }
 
 /// The memory, taken out.
@@ -140,13 +135,8 @@ pub unsafe fn restore<K: Kind>(storage: *mut Storage<K>, memory: *const K::Memor
     // SAFETY: as the caller says; both are checked before they are followed.
     let opened =
         unsafe { check::pointer(memory).and_then(|()| Ok((open(storage)?, memory.read()))) };
-    match opened {
-        Ok((storage, memory)) => match storage.kept.restore(&memory) {
-            Ok(()) => Status::of(Code::Ok),
-            Err(status) => status,
-        },
-        Err(code) => Status::of(code),
-    }
+    let done = opened.map_err(Status::of).and_then(|(storage, memory)| storage.kept.restore(&memory));
+    done.err().unwrap_or(Status::of(Code::Ok))
 }
 
 /// Whether a tick can begin: nothing is null or misaligned, and the storage has its tag.

@@ -22,7 +22,7 @@ use super::folder::Folder;
 use super::left_out::LeftOut;
 use super::results::{self, Results, command_line};
 use super::tune::tune;
-use super::{BAR, End, shown, tell};
+use super::{BAR, End, shown, tell, went_on};
 use crate::files::Inputs;
 
 /// Ticks in all from which on a progress bar is worth showing.
@@ -189,10 +189,7 @@ impl Compare {
         entrants: &Entrants<V>,
         bar: &ProgressBar,
     ) -> Result<(Comparison, Answers), End> {
-        let watch = |ticks| {
-            bar.inc(ticks);
-            End::go_on()
-        };
+        let watch = |ticks| went_on(bar, ticks);
         let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,
             error => End::input(error),

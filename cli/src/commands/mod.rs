@@ -167,6 +167,12 @@ pub(crate) fn shown(bar: ProgressBar, template: &str, quiet: bool) -> ProgressBa
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
+/// Moves the bar on, and tells whether to go on.
+pub(crate) fn went_on(bar: &ProgressBar, by: u64) -> ControlFlow<()> {
+    bar.inc(by);
+    End::go_on()
+}
+
 /// Prints a result on standard output.
 pub(crate) fn print(text: impl Display) -> Result<(), End> {
     let mut out = io::stdout().lock();

@@ -55,6 +55,10 @@ fn long_numbers_keep_their_digits() {
         let (a, b) = (long(&mut dice, 104), long(&mut dice, 100));
         near(whole(a) + whole(b), a + b, 1);
         near(whole(a) - whole(b), a - b, 1);
+        // What fits is exact.
+        let (c, d) = (long(&mut dice, 91), i128::from(dice.whole(50)));
+        assert_eq!((back(whole(c) + whole(d)), back(whole(c) - whole(d))), (c + d, c - d));
+        assert_eq!(back(whole(c >> 41) * whole(d)), (c >> 41) * d);
         // The nearest number of the sum comes first, but for what a rounding of the end may move.
         let (c, d) = (long(&mut dice, 63), long(&mut dice, 62));
         near(whole(c) * whole(d), c * d, 1);
@@ -121,6 +125,17 @@ fn constants_have_thirty_digits() {
         e += term;
     }
     close(e, decimal(271828182845904.0, 523536028747135.0));
+    // Machin: π = 16 atan(1/5) − 4 atan(1/239).
+    let arctangent = |inverse: f64| {
+        let terms = (0..25).map(|n| {
+            let power = (0..=2 * n).fold(of(1.0), |power, _| power / of(inverse));
+            let term = power / of(f64::from(2 * n + 1));
+            if n % 2 == 0 { term } else { -term }
+        });
+        terms.fold(of(0.0), |sum, term| sum + term)
+    };
+    let pi = of(16.0) * arctangent(5.0) - of(4.0) * arctangent(239.0);
+    close(pi, decimal(314159265358979.0, 323846264338327.0));
 }
 
 /// As in `f64`: what is not finite has no second part.
@@ -153,6 +168,12 @@ fn infinities_and_zeros_are_those_of_f64() {
     alike(DoubleDouble::sum_of(f64::MAX, f64::MAX), f64::INFINITY);
     alike(DoubleDouble::product_of(1e300, 1e300), f64::INFINITY);
     assert_eq!((one / huge, huge - one), (zero, huge));
+    for nan in [zero / zero, huge - huge, huge * zero, of(-1.0).sqrt(), of(f64::NAN)] {
+        assert!(nan.high().is_nan() && !nan.below(one) && !nan.above(one) && nan != nan);
+        assert_eq!((nan.larger(one), nan.smaller(one)), (one, one));
+    }
+    let largest = DoubleDouble::largest();
+    assert!(largest.finite() && !(largest + largest).finite() && (largest - largest) == zero);
     // A splitting that leaves the range costs the second part, not the first.
     alike(of(1e305) * of(1.5), 1e305 * 1.5);
 }

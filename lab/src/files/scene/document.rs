@@ -41,7 +41,7 @@ where
 ///
 /// # Errors
 /// The first fault, in words.
-pub(crate) fn read_made<Keys>(tree: &toml::Value) -> Result<Keys, String>
+pub(super) fn read_made<Keys>(tree: &toml::Value) -> Result<Keys, String>
 where
     Keys: for<'tree> Deserialize<'tree>,
 {

@@ -67,7 +67,7 @@ pub(crate) use check::{check_single, check_ticks, standing_out};
 pub use coordinates::Coordinates;
 pub(crate) use damping::Damping;
 pub use diagnostic::Diagnostic;
-pub(crate) use document::{read, read_made};
+pub(crate) use document::read;
 pub use draft::Draft;
 pub use effects::{
     Delay, Dropout, Effects, Encoder, Filter, Friction, Jitter, Load, Noise, Policy, Pulse,
@@ -92,6 +92,7 @@ pub use stabilizers::*;
 pub(crate) use written::Keys;
 
 use std::ops::Deref;
+use std::sync::Arc;
 
 use serde::Serialize;
 
@@ -134,5 +135,20 @@ impl Scene {
     /// A copy of the draft, to be changed and checked again.
     pub fn to_draft(&self) -> Draft {
         self.0.clone()
+    }
+
+    /// The scene of `tree`, which is this one's with numbers replaced; the samples of a motion file stay.
+    ///
+    /// # Errors
+    /// The first fault, in words.
+    pub(crate) fn remade(&self, tree: &toml::Value) -> Result<Self, String> {
+        let keys: Keys = document::read_made(tree)?;
+        let mut draft = Draft::try_from(keys).map_err(|conflict| conflict.to_string())?;
+        if let (Some(Motion::File { samples, .. }), Some(Motion::File { samples: own, .. })) =
+            (&mut draft.operator.motion, &self.operator.motion)
+        {
+            *samples = Arc::clone(own);
+        }
+        draft.check().map_err(|conflict| conflict.to_string())
     }
 }

@@ -271,6 +271,8 @@ impl<V: Space<Scalar = f64>> Account<V> {
         let (from, to) = (real(last, before.truly.time), real(now, after.truly.time));
         let wall = self.law.work(from, to);
         let slow = (last.environment - filtered).inner(way);
+        // Without a filter the estimates differ by rounding, which belongs to the rest.
+        let has_filter = self.scene.effects.filter.is_some();
         Balance {
             gained,
             hand,
@@ -282,7 +284,7 @@ impl<V: Space<Scalar = f64>> Account<V> {
             controller: controller.inner(way),
             saturation: -(clipped - late).inner(way),
             delay: -(late - last.environment).inner(way),
-            filter: -(filtered - counted).inner(way),
+            filter: if has_filter { -(filtered - counted).inner(way) } else { 0.0 },
             encoder: -(counted - truly).inner(way),
             hold: -slow - (truly.inner(way) - wall),
             ..Balance::default()

@@ -112,10 +112,14 @@ fn softer(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     };
     let trials = (0..TRIALS).map(|trial| rounded_down(most / FURTHER.powi(trial)));
     trials.filter(|stiffness| *stiffness < own && *stiffness > 0.0).find_map(|stiffness| {
-        let mut softer = scene.to_draft();
-        softer.environment.kind_mut().set_stiffness(stiffness)?;
-        let key = format!("environment.{}.stiffness", softer.environment.name());
-        search.tried(softer.check().ok()?, vec![(key, Change::Number(stiffness))])
+        let name = scene.environment.name();
+        let mut tree = toml::Value::try_from(scene).ok()?;
+        let written = tree.get_mut("environment")?.get_mut(name)?.get_mut("stiffness")?;
+        // The stiffness of layers is a list.
+        written.as_float()?;
+        *written = stiffness.into();
+        let key = format!("environment.{name}.stiffness");
+        search.tried(scene.remade(&tree).ok()?, vec![(key, Change::Number(stiffness))])
     })
 }
 

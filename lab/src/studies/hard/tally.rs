@@ -3,7 +3,7 @@
 use lyapunov::laws::Law;
 
 /// Measurements of a run, one value at a time, made outside of the library.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Tally {
     /// The first broken law and its tick.
     pub broken: Option<(Law, u64)>,
@@ -29,25 +29,6 @@ pub struct Tally {
     pub correction: f64,
     /// The value that a case measures itself.
     pub value: f64,
-}
-
-impl Default for Tally {
-    fn default() -> Self {
-        Self {
-            broken: None,
-            not_finite: None,
-            out_of_range: None,
-            late_swing: 0.0,
-            swing: 0.0,
-            given: 0.0,
-            shortfall: 0.0,
-            peak_force: 0.0,
-            acting: 0.0,
-            off: 0.0,
-            correction: 0.0,
-            value: 0.0,
-        }
-    }
 }
 
 impl Tally {

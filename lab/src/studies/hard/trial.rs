@@ -69,11 +69,6 @@ pub(super) struct Runs {
 pub(super) trait EveryScalar {
     /// Measurements of one run, with lane `i` from start `first + i`.
     fn ours_in<T: Scalar>(&self, first: usize) -> Result<Vec<Tally>, HardError>;
-
-    /// Whether it stays within the range of `f32`.
-    fn fits_single(&self) -> bool {
-        true
-    }
 }
 
 /// Number of starts: as many as the widest lanes hold.
@@ -85,14 +80,10 @@ impl Runs {
         let mut runs = Self::default();
         for first in 0..STARTS {
             runs.double.append(&mut program.ours_in::<f64>(first)?);
-            if program.fits_single() {
-                runs.single.append(&mut program.ours_in::<f32>(first)?);
-            }
+            runs.single.append(&mut program.ours_in::<f32>(first)?);
         }
         runs.double_lanes = program.ours_in::<AutoF64x8>(0)?;
-        if program.fits_single() {
-            runs.single_lanes = program.ours_in::<AutoF32x8>(0)?;
-        }
+        runs.single_lanes = program.ours_in::<AutoF32x8>(0)?;
         Ok(runs)
     }
 
@@ -187,11 +178,6 @@ pub(super) trait Play: Send + Sync {
 
     /// The terms of the runs under that limit, N·s/m.
     fn terms(&self, limit: f64) -> Terms;
-
-    /// Whether it stays within the range of `f32`.
-    fn fits_single(&self) -> bool {
-        true
-    }
 }
 
 /// A play under our stabilizer or any other.
@@ -241,10 +227,6 @@ impl<P: Play> EveryScalar for Played<P> {
         let lolc = || Ok(lyapunov::Lolc::new((PortEnergy, damper), self.0.limit::<T>()?));
         self.run::<T, _>(first, pledge, lolc)
     }
-
-    fn fits_single(&self) -> bool {
-        self.0.fits_single()
-    }
 }
 
 impl<P: Play> Trial for Played<P> {
@@ -254,10 +236,7 @@ impl<P: Play> Trial for Played<P> {
 
     fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
         let double = |first| self.of_family::<f64>(member, first);
-        let single = |first| match self.0.fits_single() {
-            true => self.of_family::<f32>(member, first),
-            false => Ok(Vec::new()),
-        };
+        let single = |first| self.of_family::<f32>(member, first);
         Runs::of_scalars(double, single).map(Some)
     }
 

@@ -16,14 +16,9 @@ use crate::simulate::family::{Judgement, StabilizerName};
 /// Method and cost of a map's computation.
 #[derive(Clone, Debug, Serialize)]
 pub struct Computation {
-    /// Cells computed by this run.
-    pub cells: u64,
-    /// Ticks of those cells under all stabilizers together, each run to its end.
-    pub rollout_steps: u64,
-    /// Time spent on their verdicts, s.
-    pub kernel_seconds: f64,
-    /// Time spent on measuring the runs that do not grow, s.
-    pub measures_seconds: f64,
+    /// Its cost.
+    #[serde(flatten)]
+    pub workload: Workload,
     /// The number of threads.
     pub threads: usize,
     /// Cells that run side by side in one vector; 1: one by one.
@@ -35,25 +30,14 @@ pub struct Computation {
 }
 
 impl Computation {
-    /// Computation of `run`, which took `effort`.
-    pub fn of(run: &Run<'_>, effort: Workload) -> Self {
+    /// Computation of `run`, which took `workload`.
+    pub fn of(run: &Run<'_>, workload: Workload) -> Self {
         let (lanes, method, instructions) = match run.method() {
             Method::Kernel(kernel) => (kernel.lanes(), "lanes", Some(kernel.instructions().name())),
             Method::Lanes(instructions) => (F64x8::LANES, "lanes", Some(instructions.name())),
             Method::Single => (1, "single", None),
         };
-        let Workload { cells, rollout_steps, kernel_seconds, measures_seconds } = effort;
-        let threads = run.threads();
-        Self {
-            cells,
-            rollout_steps,
-            kernel_seconds,
-            measures_seconds,
-            threads,
-            lanes,
-            method,
-            instructions,
-        }
+        Self { workload, threads: run.threads(), lanes, method, instructions }
     }
 }
 

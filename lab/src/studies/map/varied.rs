@@ -3,7 +3,7 @@
 use toml::Value;
 
 use super::axis::Axis;
-use super::vary::{self, Vary, VaryError};
+use super::vary::{Vary, VaryError};
 use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames};
 
@@ -100,7 +100,7 @@ impl Variation {
                 number.write(&mut tree, *value)?;
             }
         }
-        Ok(vary::read(&tree, &self.scene))
+        Ok(self.scene.remade(&tree))
     }
 
     /// `scene` with those `values` that are of the table of `member`.

@@ -5,7 +5,7 @@ use std::fmt;
 use toml::Value;
 
 use super::axis::Axis;
-use crate::files::scene::{Draft, Keys, Motion, Scene, is_number, is_whole, read_made};
+use crate::files::scene::{Scene, is_number, is_whole};
 use crate::text::nearest;
 
 /// A number of a scene, found by its dotted key.
@@ -129,18 +129,6 @@ fn multiples(axis: &Axis, rate: f64) -> String {
     let count = 1 + (1..PROPOSED).rev().find(|fewer| steps.is_multiple_of(*fewer)).unwrap_or(1);
     let [from, to] = [least * rate, most * rate];
     format!("choose multiples, as in servo_rate={from:?}..{to:?}:{count}, or {alone}")
-}
-
-/// The scene of `tree`, with the samples of a motion file taken from `base`.
-pub(super) fn read(tree: &Value, base: &Scene) -> Result<Scene, String> {
-    let keys: Keys = read_made(tree)?;
-    let mut draft = Draft::try_from(keys).map_err(|conflict| conflict.to_string())?;
-    if let (Some(Motion::File { samples, .. }), Some(Motion::File { samples: own, .. })) =
-        (&mut draft.operator.motion, &base.operator.motion)
-    {
-        *samples = std::sync::Arc::clone(own);
-    }
-    draft.check().map_err(|conflict| conflict.to_string())
 }
 
 fn table(key: &str) -> &str {

@@ -1,7 +1,9 @@
 //! Cost of a map's computation.
 
+use serde::Serialize;
+
 /// Cost of a computation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Workload {
     /// The number of cells.
     pub cells: u64,

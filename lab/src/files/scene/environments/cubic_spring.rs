@@ -54,11 +54,6 @@ impl EnvironmentKind for CubicSpring {
         straight.then(|| StaticSpring::new(self.stiffness, self.position))
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn words(&self, number: Number) -> String {
         let (stiffness, cubic) = (number(self.stiffness.get()), number(self.cubic.get()));
         format!("{stiffness} N/m, {cubic} N/m^3")

@@ -44,11 +44,6 @@ impl EnvironmentKind for Cuboid {
         Some(spring_and_damper(self.stiffness, self.damping))
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn faces(&self) -> Vec<Face> {
         let halves = self.half.iter().enumerate();
         let faces = halves.flat_map(|(axis, half)| {

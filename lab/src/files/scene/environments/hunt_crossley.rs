@@ -53,11 +53,6 @@ impl EnvironmentKind for HuntCrossley {
         self.impedance().map(|_| note)
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn is_double(&self) -> bool {
         true
     }

@@ -59,12 +59,6 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
         self.frequency().is_some() || self.impedance().is_some_and(pushes)
     }
 
-    /// Sets another stiffness; none if the stiffness is not one number, or if this value is not allowed.
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        let _ = stiffness;
-        None
-    }
-
     /// Whether a part of its force that depends on the motion is computed in `f64`, whatever the scalar.
     fn is_double(&self) -> bool {
         false

@@ -56,11 +56,6 @@ impl EnvironmentKind for MassSpringDamper {
         Some(StaticSpring::new(self.stiffness, self.position))
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn words(&self, number: Number) -> String {
         let rest = damped(number, self.stiffness, self.damping);
         format!("{} kg, {rest}", number(self.mass.get()))

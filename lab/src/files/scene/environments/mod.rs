@@ -71,14 +71,6 @@ macro_rules! environments {
                 }
             }
 
-            /// The same, mutable.
-            pub(crate) fn kind_mut(&mut self) -> &mut dyn EnvironmentKind {
-                match self {
-                    $(Self::$line(it) => it,)*
-                    $(Self::$solid(it) => it,)*
-                }
-            }
-
             /// The result of `to` for the library's environment of one dimension, with the numbers of each lane.
             pub(crate) fn on_a_line<T: Scalar, R: Render<T>>(
                 each: &[&Self],

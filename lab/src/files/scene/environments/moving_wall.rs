@@ -60,11 +60,6 @@ impl EnvironmentKind for MovingWall {
         swinging(self.amplitude, self.frequency)
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn words(&self, number: Number) -> String {
         let wall = damped(number, self.stiffness, self.damping);
         let (amplitude, frequency) = (1e3 * self.amplitude.get(), self.frequency.get());

@@ -45,11 +45,6 @@ impl EnvironmentKind for Plane {
         Some(spring_and_damper(self.stiffness, self.damping))
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn normal(&self) -> Option<Coordinates> {
         Some(self.normal.clone())
     }

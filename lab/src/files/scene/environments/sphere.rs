@@ -43,11 +43,6 @@ impl EnvironmentKind for Sphere {
         Some(spring_and_damper(self.stiffness, self.damping))
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn vectors(&self) -> Vec<(&'static str, usize)> {
         vec![("center", self.center.len())]
     }

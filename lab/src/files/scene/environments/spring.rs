@@ -38,11 +38,6 @@ impl EnvironmentKind for Spring {
         Some(StaticSpring::new(self.stiffness, self.position))
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = Finite::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn words(&self, number: Number) -> String {
         format!("{} N/m", number(self.stiffness.get()))
     }

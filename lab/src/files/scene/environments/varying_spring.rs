@@ -61,11 +61,6 @@ impl EnvironmentKind for VaryingSpring {
         swinging(self.amplitude, self.frequency)
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = Finite::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn words(&self, number: Number) -> String {
         let (stiffness, amplitude) = (number(self.stiffness.get()), number(self.amplitude.get()));
         format!("{stiffness} +- {amplitude} N/m at {} Hz", number(self.frequency.get()))

@@ -53,11 +53,6 @@ impl EnvironmentKind for Wall {
         Some(StaticSpring::new(self.stiffness, self.position))
     }
 
-    fn set_stiffness(&mut self, stiffness: f64) -> Option<()> {
-        self.stiffness = NonNegative::new(stiffness).ok()?;
-        Some(())
-    }
-
     fn words(&self, number: Number) -> String {
         damped(number, self.stiffness, self.damping)
     }

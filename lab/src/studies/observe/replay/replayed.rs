@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::show::envelope::Envelope;
 
 /// What one stabilizer would have done on the recorded motion, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Replayed {
     /// Its name.
     pub stabilizer: &'static str,
@@ -39,21 +39,7 @@ pub struct Replayed {
 impl Replayed {
     /// The row of a stabilizer before the first tick.
     pub(super) fn of(stabilizer: &'static str) -> Self {
-        Self {
-            stabilizer,
-            ticks: 0,
-            active_ticks: 0,
-            active_percent: 0.0,
-            first_at: None,
-            largest_force: 0.0,
-            largest_force_at: None,
-            rms_force: 0.0,
-            energy_taken: 0.0,
-            shortfall: 0.0,
-            shortfall_at: None,
-            energy_given: 0.0,
-            rejected: 0,
-        }
+        Self { stabilizer, ..Self::default() }
     }
 }
 

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use serde::Serialize;
 
 use super::picture::Overlay;
-use super::{Difference, Differences, Start};
+use super::{Differences, Start};
 use crate::files::log::{BadRows, Column, described};
 use crate::measure::{Oddity, Summary};
 use crate::show::csv;
@@ -146,37 +146,6 @@ impl Laid {
 
     /// The differences as comma-separated values.
     pub fn csv(&self) -> String {
-        #[derive(Serialize)]
-        struct Record {
-            quantity: &'static str,
-            unit: &'static str,
-            rms: f64,
-            largest: f64,
-            largest_at_s: f64,
-            range: f64,
-            rms_percent: Option<f64>,
-            largest_percent: Option<f64>,
-        }
-        csv::records(self.differences.named().map(|(quantity, it)| {
-            let Difference {
-                unit,
-                rms,
-                largest,
-                largest_at_s,
-                range,
-                rms_percent,
-                largest_percent,
-            } = *it;
-            Record {
-                quantity,
-                unit,
-                rms,
-                largest,
-                largest_at_s,
-                range,
-                rms_percent,
-                largest_percent,
-            }
-        }))
+        csv::named_records("quantity", self.differences.named())
     }
 }
