@@ -8,7 +8,13 @@ from latex2mathml.converter import convert
 PARTS = re.compile(r"(^```.*?^```|`[^`\n]+`)|\$\$(.+?)\$\$|\$([^$\n]+)\$([,.;:)]?)", re.MULTILINE | re.DOTALL)
 
 
+# rustdoc takes words about a listing, such as the error that it has to give.
+LISTING = re.compile(r"^```[a-z_]+,.*$", re.MULTILINE)
+
+
 def on_page_markdown(markdown, **_):
+    markdown = LISTING.sub("```rust", markdown)
+
     def drawn(found):
         listing, alone, inline, after = found.groups()
         if listing:

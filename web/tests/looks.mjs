@@ -80,6 +80,9 @@ export async function book(browser) {
   }
 }
 
+/** A list or a listing in a paragraph, which Markdown did not see. */
+const UNDRAWN = `[...document.querySelectorAll("[role=main] p")].map((it) => it.textContent.match(/\`\`\`.*|^[-*] .*/m)?.[0]).find((it) => it) ?? null`;
+
 /** The docs around it: what the menu names is there and no wider than the screen, and axe-core finds nothing serious in one page of eight,
  *  which are of one template. */
 export async function docs(browser) {
@@ -92,6 +95,7 @@ export async function docs(browser) {
     const page = await browser.open(at, { width: index % 3 ? 360 : 1100, scheme: index % 2 ? "dark" : "light" });
     await page.until("document.querySelector('h1') !== null");
     assert.ok(await page.value("document.documentElement.scrollWidth <= innerWidth"), `${at} is too wide`);
+    assert.equal(await page.value(UNDRAWN), null, `${at} has Markdown that is not drawn`);
     if (index % 8 === 0) assert.deepEqual(await serious(page), [], at);
     assert.deepEqual(page.faults().filter((it) => !it.startsWith("request: file://")), [], at);
     await page.close();
