@@ -74,7 +74,7 @@ pub use lyapunov_core::{
 pub use lyapunov_stabilizers::{DampingLimit, Lolc, Popc};
 
 #[doc(hidden)]
-pub use lyapunov_core::one_axis;
+pub use lyapunov_core::{careful, one_axis};
 
 /// Prelude: the traits whose methods a control loop calls, and the types it starts with; `use lyapunov::prelude::*`.
 pub mod prelude {

@@ -282,6 +282,17 @@ fn stiffnesses_beyond_the_edge_count_as_the_edge() {
     assert_eq!(told_of(&x, &some), over(6000.0, false));
     let within = |_, column| if (2..8).contains(&column) { Verdict::Settles } else { none };
     assert_eq!(told_of(&x, &within), over(8000.0, true));
+    // Of two rows the median is the mean, and the least where the larger may be larger still.
+    let two = |held: [u64; 2]| {
+        let verdict = |row: u64, column| match held.get(row as usize) {
+            Some(held) if column < *held => Verdict::Settles,
+            Some(_) => Verdict::Grows,
+            None => none,
+        };
+        told_of(&x, &verdict).map(|it| ((it.ratio * exact).round(), it.is_least))
+    };
+    assert_eq!(two([4, 8]), Some((6000.0, false)));
+    assert_eq!(two([10, 4]), Some((7000.0, true)));
     // A map that begins beyond the bound shows what holds there.
     assert_eq!(told(&hard, [1, 1, 1]), over(20_000.0, false));
 }

@@ -81,7 +81,11 @@ fn median(steps: &[Step]) -> f64 {
         periods = first.iter().map(period).collect();
     }
     periods.sort_by(f64::total_cmp);
-    periods.get(periods.len() / 2).copied().unwrap_or(0.0)
+    match periods.len() {
+        0 => 0.0,
+        odd if odd % 2 == 1 => periods[odd / 2],
+        even => 0.5 * (periods[even / 2 - 1] + periods[even / 2]),
+    }
 }
 
 impl Step {
@@ -90,6 +94,7 @@ impl Step {
         self.gap = period > 1.5 * median;
         let mean = moved / period;
         let v = match self.to.v {
+            Some(v) if (self.gap || self.spans) && mean * v < 0.0 => 0.0,
             Some(v) if (self.gap || self.spans) && mean.abs() < v.abs() => mean,
             Some(v) => v,
             None => mean,

@@ -156,6 +156,15 @@ impl BadRows {
         self.remedies.iter().max_by_key(|it| it.1).map(|it| it.0)
     }
 
+    /// The count, the first of them and a remedy, for an error that they may have caused; none without bad rows.
+    pub(crate) fn blamed(&self) -> Option<String> {
+        let (first, remedy) = (self.first.first()?, self.remedy()?);
+        Some(format!(
+            "{} bad, the first at line {}: {}; {remedy}",
+            self.count, first.line, first.reason
+        ))
+    }
+
     /// The count, with the `fate` of the rows; the first ten, how many more, and a remedy: a line each. None without bad rows.
     pub(crate) fn lines(&self, fate: &str) -> Vec<String> {
         if self.count == 0 {

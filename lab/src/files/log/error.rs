@@ -39,13 +39,7 @@ impl LogError {
     /// Error of a log with fewer than two good rows.
     pub(crate) fn too_few(name: &str, bad: &BadRows) -> Self {
         let error = Self::about(name, "fewer than two good rows, so nothing moved");
-        error.with_help(match (bad.first.first(), bad.remedy()) {
-            (Some(first), Some(remedy)) => {
-                let (count, line, reason) = (bad.count, first.line, &first.reason);
-                format!("{count} bad, the first at line {line}: {reason}; {remedy}")
-            }
-            _ => "give a log of a motion".to_owned(),
-        })
+        error.with_help(bad.blamed().unwrap_or_else(|| "give a log of a motion".to_owned()))
     }
 
     pub(crate) fn with_help(self, help: impl Into<String>) -> Self {

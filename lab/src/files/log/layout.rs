@@ -160,7 +160,11 @@ fn find(
     {
         return Ok(index);
     }
-    Err((format!("there is no column `{}`", shorten(asked)), missing(asked, fields)))
+    let remedy = match asked {
+        "0" => "columns are counted from 1".to_owned(),
+        _ => missing(asked, fields),
+    };
+    Err((format!("there is no column `{}`", shorten(asked)), remedy))
 }
 
 /// The index of the one column whose heading `fits`; none without one.

@@ -27,5 +27,6 @@ pub(crate) fn median_period(steps: impl Iterator<Item = TimeStep> + Clone) -> f6
         periods = steps.map(length).collect();
     }
     periods.sort_unstable_by(f64::total_cmp);
-    periods.get(periods.len() / 2).copied().unwrap_or(0.0)
+    let middle = |index: usize| periods.get(index).copied().unwrap_or(0.0);
+    f64::midpoint(middle(periods.len().saturating_sub(1) / 2), middle(periods.len() / 2))
 }

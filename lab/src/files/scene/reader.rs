@@ -10,6 +10,10 @@ use super::choice::Choice;
 use super::fault::{Fault, Found, Place, Problem};
 use super::node::{Content, Entry, Item, Node, Whole};
 
+/// The largest number, and the largest whole one.
+const MOST: &str = "1.8e308";
+const MOST_WHOLE: &str = "(2^63 - 1)";
+
 /// One value of the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Reader<'tree, 'text> {
@@ -27,13 +31,8 @@ impl<'tree, 'text> Reader<'tree, 'text> {
         Fault::new(Problem::WrongKind { expected, found }).at(&self.place)
     }
 
-    fn too_large(&self) -> Fault {
-        Fault::new(Problem::Refused {
-            sentence:
-                "must be a number that 64 bits hold: whole up to 2^63 - 1, or any up to 1.8e308"
-                    .to_owned(),
-        })
-        .at(&self.place)
+    fn beyond(&self, most: &'static str) -> Fault {
+        Fault::new(Problem::Refused { sentence: format!("must be within ±{most}") }).at(&self.place)
     }
 
     fn visit_table<V: Visitor<'tree>>(
@@ -64,7 +63,8 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
             Content::Text(text) => visitor.visit_str(text),
             Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
             Content::Real(Some(real)) => visitor.visit_f64(real),
-            Content::Whole(_) | Content::Real(None) => Err(self.too_large()),
+            Content::Whole(_) => Err(self.beyond(MOST_WHOLE)),
+            Content::Real(None) => Err(self.beyond(MOST)),
             Content::Truth(truth) => visitor.visit_bool(truth),
             Content::Date => Err(self.wrong_kind("something other than a date")),
             Content::List(items) => self.visit_list(items, visitor),
@@ -79,7 +79,7 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
         };
         match real {
             Some(real) => visitor.visit_f64(real),
-            None => Err(self.too_large()),
+            None => Err(self.beyond(MOST)),
         }
     }
 
@@ -90,7 +90,7 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
     fn deserialize_i64<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self.node.content() {
             Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
-            Content::Whole(_) => Err(self.too_large()),
+            Content::Whole(_) => Err(self.beyond(MOST_WHOLE)),
             _ => Err(self.wrong_kind("a whole number")),
         }
     }

@@ -10,7 +10,7 @@ use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING, before};
 use super::plant::{Fit, Setting};
 use super::recording::Recording;
 use super::stretch::Stretch;
-use crate::files::log::LogError;
+use crate::files::log::{BadRows, LogError};
 
 /// Fewest rows that a fit is told of.
 const FEWEST: usize = 50;
@@ -77,8 +77,8 @@ pub(super) enum Fault {
 }
 
 impl Fault {
-    /// The refusal of the log called `name`, which has so many `gaps`.
-    pub(super) fn about(self, name: &str, gaps: usize) -> LogError {
+    /// The refusal of the log called `name`, which has so many `gaps` and these `bad` rows, which may be why.
+    pub(super) fn about(self, name: &str, gaps: usize, bad: &BadRows) -> LogError {
         let (fault, remedy) = match self {
             Self::Short => (
                 "too few rows without a gap",
@@ -99,10 +99,11 @@ impl Fault {
             ),
         };
         let cut = matches!(self, Self::Short | Self::NoMass) && gaps > 0;
-        let remedy = match (cut, gaps) {
-            (false, _) => remedy.to_owned(),
-            (true, 1) => format!("a gap cuts the log: record every row; {remedy}"),
-            (true, _) => format!("{gaps} gaps cut the log: record every row; {remedy}"),
+        let remedy = match (bad.blamed(), cut, gaps) {
+            (Some(blamed), ..) => format!("{blamed}; else {remedy}"),
+            (None, false, _) => remedy.to_owned(),
+            (None, true, 1) => format!("a gap cuts the log: record every row; {remedy}"),
+            (None, true, _) => format!("{gaps} gaps cut the log: record every row; {remedy}"),
         };
         LogError::about(name, fault).with_help(remedy)
     }

@@ -88,7 +88,8 @@ impl Identified {
     /// # Errors
     /// A recording that is not moved by its force.
     pub fn of(recording: Recording, name: &str) -> Result<Self, LogError> {
-        let device = Device::of(&recording).map_err(|fault| fault.about(name, recording.gaps))?;
+        let device = Device::of(&recording)
+            .map_err(|fault| fault.about(name, recording.gaps, &recording.bad_rows))?;
         let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());
         let mut report = Report::of(name, &recording, &device, wall.as_ref());
         let scene = scene::toml(&report, recording.origin);

@@ -82,7 +82,7 @@ impl Bounds {
     }
 
     /// Ratio of the last bounded stiffness before the first one that grows under stabilizer `index` to the exact limit of
-    /// the linear loop without one: the middle ratio over the values of the other axis.
+    /// the linear loop without one: the median ratio over the values of the other axis.
     ///
     /// Where no judged cell grows the last bounded stiffness counts as the least that is possible, and where the first one
     /// grows 0. Values of the other axis that decide nothing are left out: those without a limit, those at which the first
@@ -103,10 +103,11 @@ impl Bounds {
         };
         let mut ratios: Vec<OverExact> = self.samples.iter().filter_map(ratio).collect();
         ratios.sort_by(|a, b| a.ratio.total_cmp(&b.ratio));
-        let middle = ratios.len() / 2;
+        let (low, high) = (ratios.len().saturating_sub(1) / 2, ratios.len() / 2);
+        let ratio = f64::midpoint(ratios.get(low)?.ratio, ratios.get(high)?.ratio);
         // A ratio that may be larger could lie beyond the middle.
-        let is_least = ratios.iter().take(middle + 1).any(|over| over.is_least);
-        ratios.get(middle).map(|over| OverExact { is_least, ..*over })
+        let is_least = ratios.iter().take(high + 1).any(|over| over.is_least);
+        Some(OverExact { ratio, is_least })
     }
 }
 

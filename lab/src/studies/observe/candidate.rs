@@ -63,7 +63,7 @@ impl Candidate {
     pub(super) fn checked(self) -> Result<Credited, LogError> {
         let damper = |damping| match Dissipation::of(damping) {
             Ok(damper) if damping <= LARGEST => Ok(damper),
-            _ => Err(LogError::new(format!("the damping is {damping} N.s/m"))
+            _ => Err(LogError::new(format!("the damping is {damping:?} N.s/m"))
                 .with_help("give a damping from 0 to 1e50 N.s/m")),
         };
         Ok(Credited(match self {

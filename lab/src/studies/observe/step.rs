@@ -1,6 +1,6 @@
 //! Step from one good row to the next.
 
-use lyapunov::{HeldTick, PortSample};
+use lyapunov::{HeldTick, PortSample, careful};
 
 use crate::files::log::{Sample, TimeStep};
 
@@ -27,21 +27,14 @@ impl Step {
     }
 
     /// Sample of the device's motion over the step, by the rule of the guards (docs/contract.md): of all forces that
-    /// may have been applied the one that did the least work, and over a gap the smaller of the measured and the mean
-    /// velocity. So no observed energy exceeds what was absorbed.
+    /// may have been applied the one that did the least work, and over a gap the [`careful`] velocity. So no observed
+    /// energy exceeds what was absorbed.
     pub(super) fn sample(&self, median: f64) -> PortSample<f64> {
         let Self { from, to, forces, .. } = self;
         let (period, displacement) = (self.period(), to.x - from.x);
         let mean = displacement / period;
-        let velocity = match to.v {
-            Some(measured)
-                if (self.spans || self.time().is_gap(median)) && mean.abs() < measured.abs() =>
-            {
-                mean
-            }
-            Some(measured) => measured,
-            None => mean,
-        };
+        let is_gap = self.spans || self.time().is_gap(median);
+        let velocity = to.v.map_or(mean, |it| if is_gap { careful(it, mean) } else { it });
         let work = (forces.0 * displacement).min(forces.1 * displacement);
         PortSample {
             work,
