@@ -4,6 +4,7 @@ use lyapunov::{Dissipation, LyapunovCandidate, PortEnergy, PortSample, candidate
 use serde::Serialize;
 
 use crate::files::log::{LARGEST, LogError};
+use crate::text::given;
 
 /// The candidate whose decrease is summed, in the words of scene files.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -63,7 +64,7 @@ impl Candidate {
     pub(super) fn checked(self) -> Result<Credited, LogError> {
         let damper = |damping| match Dissipation::of(damping) {
             Ok(damper) if damping <= LARGEST => Ok(damper),
-            _ => Err(LogError::new(format!("the damping is {damping:?} N.s/m"))
+            _ => Err(LogError::new(format!("the damping is {} N.s/m", given(damping)))
                 .with_help("give a damping from 0 to 1e50 N.s/m")),
         };
         Ok(Credited(match self {
