@@ -13,13 +13,21 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
+/// What the command prints; asserts that it succeeds and says nothing besides.
+#[track_caller]
+pub(crate) fn prints<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> String {
+    let said = lyapunov(arguments);
+    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    text(&said.stdout)
+}
+
 /// Asserts that the command calls its input bad, in all of these words, and prints no result.
 #[track_caller]
-pub(crate) fn refuses(arguments: &[&OsStr], words: &[&str]) {
+pub(crate) fn refuses<A: AsRef<OsStr>>(arguments: &[A], words: &[&str]) {
     let said = lyapunov(arguments);
     assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
     let err = text(&said.stderr);
-    assert!(words.iter().all(|word| err.contains(word)), "{err}");
+    assert!(words.iter().all(|word| err.contains(word)) && !err.contains("panicked"), "{err}");
 }
 
 /// Asserts that the lines of `csv` below its first are the `rows` of a JSON, key by key; null is an empty field.

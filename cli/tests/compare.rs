@@ -1,5 +1,6 @@
 //! Tests of `lyapunov compare` of scenes.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -10,27 +11,23 @@ use lyapunov_lab::compare::{Comparison, Entrants, Score};
 use lyapunov_lab::family::{StabilizerName, StabilizerNames};
 use serde_json::Value;
 
+use crate::called::{lyapunov, refuses, text};
+
 fn shipped(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
 }
 
-fn compare(arguments: &[&dyn AsRef<std::ffi::OsStr>]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lyapunov"));
-    command.arg("compare");
-    command.args(arguments.iter().map(|argument| argument.as_ref())).output().unwrap()
+fn words<'a>(arguments: &'a [&dyn AsRef<OsStr>]) -> Vec<&'a OsStr> {
+    [OsStr::new("compare")].into_iter().chain(arguments.iter().map(|it| it.as_ref())).collect()
 }
 
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
+fn compare(arguments: &[&dyn AsRef<OsStr>]) -> Output {
+    lyapunov(words(arguments))
 }
 
-/// Asserts that the command fails with status 2, prints all of `words` and writes nothing to standard output.
-fn refused(arguments: &[&dyn AsRef<std::ffi::OsStr>], words: &[&str]) {
-    let output = compare(arguments);
-    let said = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(output.stdout.is_empty() && !said.contains("panicked"), "{said}");
-    words.iter().for_each(|word| assert!(said.contains(word), "{word}: {said}"));
+#[track_caller]
+fn refused(arguments: &[&dyn AsRef<OsStr>], reasons: &[&str]) {
+    refuses(&words(arguments), reasons);
 }
 
 /// The rows of a document without its timings.

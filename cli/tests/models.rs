@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::called::{holds_rows, lyapunov, refuses, text};
+use crate::called::{holds_rows, lyapunov, prints, refuses, text};
 
 const NAMES: [&str; 6] = [
     "van-der-pol",
@@ -25,9 +25,7 @@ fn path(name: &str) -> PathBuf {
 fn the_tables_fit_the_terminal_and_have_a_row_for_each_entrant() {
     let mut arguments = vec!["compare".into()];
     arguments.extend(NAMES.map(|name| path(name).into_os_string()));
-    let said = lyapunov(arguments);
-    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
-    let out = text(&said.stdout);
+    let out = prints(arguments);
     for row in ["none  ", "popc  ", "lolc-decrease  ", "lolc-decay  "] {
         let rows = out.lines().filter(|line| line.starts_with(row)).count();
         assert_eq!(rows, NAMES.len(), "{row}:\n{out}");
@@ -45,8 +43,7 @@ fn the_written_files_agree_with_each_other() {
     let (out, pendulum) = (place.path().join("out"), path("inverted-pendulum"));
     let arguments: [&OsStr; 5] =
         ["compare".as_ref(), pendulum.as_ref(), "--json".as_ref(), "--out".as_ref(), out.as_ref()];
-    let said = lyapunov(arguments);
-    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    let told = prints(arguments);
     let mut names: Vec<_> = fs::read_dir(&out)
         .unwrap()
         .map(|it| it.unwrap().file_name().into_string().unwrap())
@@ -55,9 +52,9 @@ fn the_written_files_agree_with_each_other() {
     let figure = ["csv", "png", "svg"].map(|ending| format!("inverted-pendulum.{ending}"));
     let rows = ["compare.csv", "compare.json"].map(str::to_owned);
     assert_eq!(names, [&rows[..], &figure[..], &["report.html".to_owned()]].concat());
-    assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), text(&said.stdout));
+    assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), told);
 
-    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    let json: Value = serde_json::from_str(&told).unwrap();
     assert_eq!(
         (&json["bound"], &json["models"][0]["plant"]),
         (&4.0.into(), &"inverted-pendulum".into())
@@ -127,7 +124,10 @@ fn files_and_options_that_do_not_go_together_are_refused() {
     refuses(&[compare, model.as_ref(), by[0], by[1]], &["--by", "leave it out"]);
     let named = ["--stabilizers".as_ref(), "lolc".as_ref()];
     refuses(&[compare, model.as_ref(), named[0], named[1]], &["of a model", "lolc-decrease"]);
-    refuses(&["run".as_ref(), model.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);
+    refuses::<&OsStr>(
+        &["run".as_ref(), model.as_ref()],
+        &["not a scene", "`lyapunov compare` takes it"],
+    );
     refuses(&[compare, "absent.toml".as_ref()], &["there is no such file"]);
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use crate::called::{holds_rows, lyapunov, refuses, text};
+use crate::called::{holds_rows, lyapunov, prints, refuses, text};
 
 const NAMES: [&str; 3] = ["constant-delay", "varying-delay", "lossy"];
 
@@ -29,9 +29,7 @@ const ROWS: [&str; 8] = [
 fn the_tables_fit_the_terminal_and_have_a_row_for_each_entrant() {
     let mut arguments = vec!["compare".into()];
     arguments.extend(NAMES.map(|name| path(name).into_os_string()));
-    let said = lyapunov(arguments);
-    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
-    let out = text(&said.stdout);
+    let out = prints(arguments);
     for row in ROWS {
         let rows = out.lines().filter(|line| line.starts_with(&format!("{row}  ")));
         assert_eq!(rows.count(), 9, "{row}:\n{out}");
@@ -50,16 +48,15 @@ fn the_written_files_agree_with_each_other() {
     let (out, file) = (place.path().join("out"), path("lossy"));
     let arguments: [&OsStr; 5] =
         ["compare".as_ref(), file.as_ref(), "--json".as_ref(), "--out".as_ref(), out.as_ref()];
-    let said = lyapunov(arguments);
-    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
+    let told = prints(arguments);
     let entries = fs::read_dir(&out).unwrap().map(|it| it.unwrap().file_name());
     let mut names: Vec<_> = entries.map(|name| name.into_string().unwrap()).collect();
     names.sort();
     let figure = ["lossy.csv", "lossy.png", "lossy.svg"];
     assert_eq!(names, [&["compare.csv", "compare.json"], &figure[..], &["report.html"]].concat());
-    assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), text(&said.stdout));
+    assert_eq!(fs::read_to_string(out.join("compare.json")).unwrap(), told);
 
-    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    let json: Value = serde_json::from_str(&told).unwrap();
     let circumstances = &json["teleoperators"][0];
     assert_eq!((&json["bound"], &circumstances["loss"]), (&4.0.into(), &0.3.into()));
     assert_eq!((&circumstances["seed"], &circumstances["delay_ticks"]), (&1.into(), &20.into()));
@@ -93,7 +90,10 @@ fn files_and_options_that_do_not_go_together_are_refused() {
     refuses(&[compare, file.as_ref(), model.as_ref()], &mixed);
     let by = ["--by".as_ref(), "verdict".as_ref()];
     refuses(&[compare, file.as_ref(), by[0], by[1]], &["of a teleoperator", "leave it out"]);
-    refuses(&["run".as_ref(), file.as_ref()], &["not a scene", "`lyapunov compare` takes it"]);
+    refuses::<&OsStr>(
+        &["run".as_ref(), file.as_ref()],
+        &["not a scene", "`lyapunov compare` takes it"],
+    );
 }
 
 #[test]
@@ -103,9 +103,8 @@ fn entrants_take_part_by_name() {
         let mut arguments: Vec<&OsStr> = vec!["compare".as_ref(), "--json".as_ref()];
         arguments.extend(names.iter().map(|name| -> &OsStr { name.as_ref() }));
         arguments.extend(files.iter().map(|file| file.as_os_str()));
-        let said = lyapunov(arguments);
-        assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
-        let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+        let out = prints(arguments);
+        let json: Value = serde_json::from_str(&out).unwrap();
         json["rows"].as_array().unwrap().clone()
     };
     let (all, usual) = (rows(&["--stabilizers", "all"]), rows(&[]));
@@ -145,9 +144,8 @@ fn an_impedance_is_asked_for_by_waves_only() {
     refuses(&[compare, undamped.as_ref()], &words);
     refuses(&[compare, undamped.as_ref(), named, "none,wave-variables-matched".as_ref()], &words);
     let without = "none,popc-at-each-end,two-port-popc,drift-compensated,two-layer";
-    let said = lyapunov([compare, undamped.as_ref(), named, without.as_ref(), "--json".as_ref()]);
-    assert_eq!((said.status.code(), text(&said.stderr)), (Some(0), String::new()));
-    let json: Value = serde_json::from_slice(&said.stdout).unwrap();
+    let out = prints([compare, undamped.as_ref(), named, without.as_ref(), "--json".as_ref()]);
+    let json: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(json["rows"].as_array().unwrap().len(), 5);
 }
 

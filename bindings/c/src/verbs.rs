@@ -107,7 +107,9 @@ pub unsafe fn retune<K: Kind>(
     let opened = unsafe {
         check::pointer(parameters).and_then(|()| Ok((open(storage)?, parameters.read())))
     };
-    let done = opened.map_err(Status::of).and_then(|(storage, parameters)| storage.kept.retune(&parameters));
+    let done = opened
+        .map_err(Status::of)
+        .and_then(|(storage, parameters)| storage.kept.retune(&parameters));
     done.err().unwrap_or(Status::of(Code::Ok))
 }
 
@@ -135,7 +137,8 @@ pub unsafe fn restore<K: Kind>(storage: *mut Storage<K>, memory: *const K::Memor
     // SAFETY: as the caller says; both are checked before they are followed.
     let opened =
         unsafe { check::pointer(memory).and_then(|()| Ok((open(storage)?, memory.read()))) };
-    let done = opened.map_err(Status::of).and_then(|(storage, memory)| storage.kept.restore(&memory));
+    let done =
+        opened.map_err(Status::of).and_then(|(storage, memory)| storage.kept.restore(&memory));
     done.err().unwrap_or(Status::of(Code::Ok))
 }
 

@@ -2,11 +2,12 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
 
 use approx::assert_relative_eq;
 use serde_json::Value;
 use tempfile::TempDir;
+
+use crate::called::{prints, refuses};
 
 /// Scenes, logs and results of one test.
 struct Place(TempDir);
@@ -22,13 +23,6 @@ struct Row {
 
 fn shipped(name: &str) -> String {
     format!("{}/../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))
-}
-
-fn lyapunov(arguments: &[&str]) -> (Option<i32>, String, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lyapunov"));
-    let ended = command.args(arguments).stdin(Stdio::null()).output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (ended.status.code(), text(ended.stdout), text(ended.stderr))
 }
 
 impl Place {
@@ -49,8 +43,7 @@ impl Place {
     /// The rows of a run, and the path of their file.
     fn rows(&self, scene: &str) -> (Vec<Row>, String) {
         let path = self.path("rows.csv").to_str().unwrap().to_owned();
-        let (status, _, error) = lyapunov(&["run", scene, "--csv", &path, "--quiet"]);
-        assert_eq!((status, error.as_str()), (Some(0), ""));
+        prints(["run", scene, "--csv", &path, "--quiet"]);
         let text = fs::read_to_string(&path).unwrap();
         let rows = text.lines().skip(1).map(|line| {
             let numbers: Vec<f64> = line.split(',').map(|field| field.parse().unwrap()).collect();
@@ -69,19 +62,8 @@ fn log(rows: impl IntoIterator<Item = Row>) -> String {
 #[track_caller]
 fn against(scene: &str, log: &str, more: &[&str]) -> Value {
     let arguments = ["run", scene, "--against", log, "--json"];
-    let (status, out, error) = lyapunov(&[&arguments, more].concat());
-    assert_eq!((status, error.as_str()), (Some(0), ""));
-    let json: Value = serde_json::from_str(&out).unwrap();
+    let json: Value = serde_json::from_str(&prints([&arguments, more].concat())).unwrap();
     json["against"].clone()
-}
-
-#[track_caller]
-fn refused(arguments: &[&str], reasons: &[&str]) {
-    let (status, out, error) = lyapunov(arguments);
-    assert_eq!((status, out.as_str()), (Some(2), ""), "{error}");
-    for reason in reasons {
-        assert!(error.contains(reason), "no `{reason}` in: {error}");
-    }
 }
 
 const QUANTITIES: [&str; 3] = ["position", "velocity", "force"];
@@ -250,12 +232,12 @@ fn a_run_may_start_where_the_log_does() {
         3.0,
         max_relative = 0.5
     );
-    refused(
+    refuses(
         &["run", &other, "--against", &later],
         &["begins at 64.0 s", "0 to 10.0 s", "--start log"],
     );
     let space = shipped("box");
-    refused(
+    refuses(
         &["run", &space, "--against", &later, "--start", "log"],
         &["one axis", "leave --start log out"],
     );
@@ -271,12 +253,12 @@ fn what_does_not_fit_is_told_and_not_guessed() {
     let long = place.file("long.csv", &long);
     let reasons =
         ["log goes on until 10.5 s, and the scene ends at 10.0 s", "duration of 10.5 or more"];
-    refused(&["run", &scene, "--against", &long], &reasons);
-    refused(&["run", &scene, "--start", "log"], &["--against"]);
-    refused(&["run", &scene, "--against", "missing.csv"], &["missing.csv: there is no such file"]);
-    refused(&["run", &scene, "--against", &path, "--csv", &path], &["this is the log itself"]);
+    refuses(&["run", &scene, "--against", &long], &reasons);
+    refuses(&["run", &scene, "--start", "log"], &["--against"]);
+    refuses(&["run", &scene, "--against", "missing.csv"], &["missing.csv: there is no such file"]);
+    refuses(&["run", &scene, "--against", &path, "--csv", &path], &["this is the log itself"]);
     let none = place.file("none.csv", "t,x,f\n0,0,0\n");
-    refused(&["run", &scene, "--against", &none], &["fewer than two good rows"]);
+    refuses(&["run", &scene, "--against", &none], &["fewer than two good rows"]);
 
     // A short log is compared as far as it goes, with its bad rows left out.
     let short = "t,x,f\n".to_owned() + "0.0,-0.004,0\n0.01,nothing,0\n0.02,-0.004,0\n0.01,0,0\n";
@@ -307,8 +289,7 @@ fn the_page_holds_table_and_figure() {
     let log = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/logs/mujoco-wall.csv");
     let out = place.path("out");
     let out = out.to_str().unwrap();
-    let (status, told, error) = lyapunov(&["run", &scene, "--against", log, "--out", out]);
-    assert_eq!((status, error.as_str()), (Some(0), ""));
+    let told = prints(["run", &scene, "--against", log, "--out", out]);
     assert!(told.contains("run - log") && told.contains("201 rows from 0 s to 2 s"), "{told}");
     let read = |name: &str| fs::read_to_string(Path::new(out).join(name)).unwrap();
     let page = read("report.html");
