@@ -25,9 +25,10 @@ pub(crate) fn prints<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) ->
 #[track_caller]
 pub(crate) fn refuses<A: AsRef<OsStr>>(arguments: &[A], words: &[&str]) {
     let said = lyapunov(arguments);
-    assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0));
     let err = text(&said.stderr);
-    assert!(words.iter().all(|word| err.contains(word)) && !err.contains("panicked"), "{err}");
+    assert_eq!((said.status.code(), said.stdout.len()), (Some(2), 0), "{err}");
+    assert!(!err.contains("panicked"), "{err}");
+    words.iter().for_each(|word| assert!(err.contains(word), "no `{word}` in: {err}"));
 }
 
 /// Asserts that the lines of `csv` below its first are the `rows` of a JSON, key by key; null is an empty field.

@@ -17,17 +17,17 @@ fn shipped(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
 }
 
-fn words<'a>(arguments: &'a [&dyn AsRef<OsStr>]) -> Vec<&'a OsStr> {
+fn called<'a>(arguments: &'a [&dyn AsRef<OsStr>]) -> Vec<&'a OsStr> {
     [OsStr::new("compare")].into_iter().chain(arguments.iter().map(|it| it.as_ref())).collect()
 }
 
 fn compare(arguments: &[&dyn AsRef<OsStr>]) -> Output {
-    lyapunov(words(arguments))
+    lyapunov(called(arguments))
 }
 
 #[track_caller]
 fn refused(arguments: &[&dyn AsRef<OsStr>], reasons: &[&str]) {
-    refuses(&words(arguments), reasons);
+    refuses(&called(arguments), reasons);
 }
 
 /// The rows of a document without its timings.

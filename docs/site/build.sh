@@ -12,6 +12,7 @@ if [ ! -x "$tools/bin/mkdocs" ]; then
     python3 -m venv "$tools"
     "$tools/bin/pip" install --quiet "mkdocs==1.6.*" "latex2mathml==3.*" "pygments==2.*"
 fi
-"$tools/bin/mkdocs" build --quiet --strict --clean --config-file "$root/mkdocs.yml" --site-dir "$target/site"
-cp "$page" "$target/site/book/chapters/touch.html"
+# Warnings are errors; quiet, it would not count them.
+told=$(LYAPUNOV_PAGE=$page "$tools/bin/mkdocs" build --strict --clean --config-file "$root/mkdocs.yml" --site-dir "$target/site" 2>&1) ||
+    { echo "$told"; exit 1; }
 echo "$target/site/index.html"

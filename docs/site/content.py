@@ -1,5 +1,5 @@
-"""What Markdown alone draws in another way: equations as MathML (`$…$` in a line, `$$…$$` by themselves; listings stay as they are), bars
-in tables, and what is wider than a screen."""
+"""Fixes for what MkDocs draws differently from a git host: equations, which become MathML (`$…$` in a line, `$$…$$` by themselves), bars
+in tables, words about listings, and what is wider than a screen."""
 
 import re
 

@@ -22,7 +22,7 @@ use super::folder::Folder;
 use super::left_out::LeftOut;
 use super::results::{self, Results, command_line};
 use super::tune::tune;
-use super::{BAR, End, shown, tell, went_on};
+use super::{BAR, End, advance, shown, tell};
 use crate::files::Inputs;
 
 /// Ticks in all from which on a progress bar is worth showing.
@@ -189,7 +189,7 @@ impl Compare {
         entrants: &Entrants<V>,
         bar: &ProgressBar,
     ) -> Result<(Comparison, Answers), End> {
-        let watch = |ticks| went_on(bar, ticks);
+        let watch = |ticks| advance(bar, ticks);
         let refused = |error| match error {
             CompareError::Stopped => End::Interrupted,
             error => End::input(error),

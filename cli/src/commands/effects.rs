@@ -9,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, shown, tell, went_on};
+use super::{BAR, End, advance, named, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -50,7 +50,7 @@ impl Effects {
         let loops = scene.as_ref().map_or_else(Costs::loops, Costs::loops_of);
         let loops = loops.map_err(|error| self.blame(error))?;
         let bar = shown(ProgressBar::new(loops as u64), BAR, self.quiet);
-        let watch = || went_on(&bar, 1);
+        let watch = || advance(&bar, 1);
         let costs = match (&self.scene, &scene) {
             (Some(path), Some(scene)) => Costs::of(&named(path), scene, &watch),
             _ => Costs::measured(&watch),

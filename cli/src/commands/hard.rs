@@ -12,7 +12,7 @@ use lyapunov_lab::hard::{Catalogue, HardError};
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, shown, tell, went_on};
+use super::{BAR, End, advance, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -77,7 +77,7 @@ impl Hard {
         let files = names(RESULTS, [""; 0], ["hard.csv"]);
         let folder = Folder::asked(self.out.as_deref(), files, &Inputs::default())?;
         let bar = shown(ProgressBar::new(Catalogue::cases().len() as u64), BAR, self.quiet);
-        let watch = || went_on(&bar, 1);
+        let watch = || advance(&bar, 1);
         let catalogue = Catalogue::of(self.stabilizer, &watch).map_err(|error| match error {
             HardError::Stopped => End::Interrupted,
             error => End::internal(error),

@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use self::merge::Merge;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, print, program, shown, tell, went_on};
+use super::{BAR, End, advance, named, print, program, shown, tell};
 use crate::files::{Inputs, Output};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
@@ -189,7 +189,7 @@ impl Map {
         let files = names(SWEEP, ["verdicts", "sweep"], ["sweep.csv"]);
         let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let bar = shown(ProgressBar::new(plan.ticks()), BAR, self.quiet);
-        let watch = |ticks| went_on(&bar, ticks);
+        let watch = |ticks| advance(&bar, ticks);
         let sweep =
             plan.run(self.threads.map(usize::from), &watch).map_err(|error| self.ended(error))?;
         bar.finish_and_clear();

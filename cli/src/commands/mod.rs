@@ -168,7 +168,7 @@ pub(crate) fn shown(bar: ProgressBar, template: &str, quiet: bool) -> ProgressBa
 }
 
 /// Moves the bar on, and tells whether to go on.
-pub(crate) fn went_on(bar: &ProgressBar, by: u64) -> ControlFlow<()> {
+pub(crate) fn advance(bar: &ProgressBar, by: u64) -> ControlFlow<()> {
     bar.inc(by);
     End::go_on()
 }

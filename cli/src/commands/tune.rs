@@ -11,7 +11,7 @@ use lyapunov_lab::tune::{Objective, TuneError, Tuned, Tuning, csv, document, fig
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, shown, tell, went_on};
+use super::{BAR, End, advance, named, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -103,7 +103,7 @@ pub(super) fn tune(
     let names = names.on(scene);
     let runs = names.iter().count() as u64 * tuning.rollouts();
     let bar = shown(ProgressBar::new(runs), BAR, quiet);
-    let watch = |runs| went_on(&bar, runs);
+    let watch = |runs| advance(&bar, runs);
     let tuned = names.iter().map(|member| {
         tuning.of(scene, *member, &watch).map_err(|error| match error {
             TuneError::Stopped => End::Interrupted,

@@ -179,12 +179,9 @@ fn rows_that_cannot_be_read_are_told_where_they_may_be_why() {
     let error = fitted(&log.lines().map(with_units).collect::<String>()).unwrap_err();
     let bad = log.lines().skip(1).filter(|row| !row.ends_with(",0.0")).count();
     let first = log.lines().skip(1).position(|row| !row.ends_with(",0.0")).unwrap() + 2;
-    let told = format!("{bad} bad, the first at line {first}: f is `");
+    let told = format!("; {bad} rows are bad, the first at line {first}: f is `");
     assert!(error.message().contains("f is 0 in all rows"), "{error}");
-    assert!(
-        error.help().is_some_and(|it| it.starts_with(&told) && it.contains("contact")),
-        "{error}"
-    );
+    assert!(error.help().is_some_and(|it| it.contains(&told)), "{error}");
 }
 
 /// In lasting contact the wall's force bends a larger mass on a larger spring in the same way: 0.3 kg at 200 + 1000 N/m move as

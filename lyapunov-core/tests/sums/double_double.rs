@@ -63,6 +63,10 @@ fn long_numbers_keep_their_digits() {
         let (c, d) = (long(&mut dice, 63), long(&mut dice, 62));
         near(whole(c) * whole(d), c * d, 1);
         assert_eq!(back(-whole(a)), -a);
+        let off = (whole(c) + whole(d)) * (whole(c) - whole(d))
+            - (whole(c) * whole(c) - whole(d) * whole(d));
+        let size = whole(c) * whole(c) + whole(d) * whole(d);
+        assert!(!off.magnitude().above(size * DoubleDouble::epsilon() * of(4.0)), "{c} {d}");
         let (mut sum, mut rest, mut product) = (whole(c), whole(c), whole(c));
         sum += whole(d);
         rest -= whole(d);
@@ -169,11 +173,18 @@ fn infinities_and_zeros_are_those_of_f64() {
     alike(DoubleDouble::product_of(1e300, 1e300), f64::INFINITY);
     assert_eq!((one / huge, huge - one), (zero, huge));
     for nan in [zero / zero, huge - huge, huge * zero, of(-1.0).sqrt(), of(f64::NAN)] {
-        assert!(nan.high().is_nan() && !nan.below(one) && !nan.above(one) && nan != nan);
+        assert!(
+            nan.high().is_nan()
+                && nan.low() == 0.0
+                && !nan.below(one)
+                && !nan.above(one)
+                && nan != nan
+        );
         assert_eq!((nan.larger(one), nan.smaller(one)), (one, one));
     }
     let largest = DoubleDouble::largest();
     assert!(largest.finite() && !(largest + largest).finite() && (largest - largest) == zero);
+    assert_eq!((largest * one).high(), f64::MAX);
     // A splitting that leaves the range costs the second part, not the first.
     alike(of(1e305) * of(1.5), 1e305 * 1.5);
 }

@@ -11,7 +11,7 @@ use super::{Compare, RESULTS, ROWS, names};
 use crate::commands::folder::Folder;
 use crate::commands::left_out::LeftOut;
 use crate::commands::results::{self, Results, command_line};
-use crate::commands::{End, named, tell, went_on};
+use crate::commands::{End, advance, named, tell};
 use crate::files::Inputs;
 
 /// Files to compare, each under the path as it was given.
@@ -78,7 +78,7 @@ pub(super) fn run<C: Compared>(
     let folder = Folder::asked(asked.out.as_deref(), outputs, &inputs)?;
     let ticks: u64 = files.iter().map(|(_, file)| C::ticks(file)).sum();
     let bar = asked.progress(ticks * entrants.len() as u64);
-    let watch = |ticks| went_on(&bar, ticks);
+    let watch = |ticks| advance(&bar, ticks);
     let compared = files.iter().map(|(name, file)| C::of(name, file, &entrants, &watch));
     let comparisons: Result<Vec<_>, _> = compared.collect();
     let comparisons = comparisons.map_err(|error| match error {

@@ -158,11 +158,12 @@ impl BadRows {
 
     /// The count, the first of them and a remedy, for an error that they may have caused; none without bad rows.
     pub(crate) fn blamed(&self) -> Option<String> {
-        let (first, remedy) = (self.first.first()?, self.remedy()?);
-        Some(format!(
-            "{} bad, the first at line {}: {}; {remedy}",
-            self.count, first.line, first.reason
-        ))
+        let (BadRow { line, reason }, remedy) = (self.first.first()?, self.remedy()?);
+        let rows = match self.count {
+            1 => "1 row is bad, at".to_owned(),
+            count => format!("{count} rows are bad, the first at"),
+        };
+        Some(format!("{rows} line {line}: {reason}; {remedy}"))
     }
 
     /// The count, with the `fate` of the rows; the first ten, how many more, and a remedy: a line each. None without bad rows.

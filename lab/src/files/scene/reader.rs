@@ -10,10 +10,6 @@ use super::choice::Choice;
 use super::fault::{Fault, Found, Place, Problem};
 use super::node::{Content, Entry, Item, Node, Whole};
 
-/// The largest number, and the largest whole one.
-const MOST: &str = "1.8e308";
-const MOST_WHOLE: &str = "(2^63 - 1)";
-
 /// One value of the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Reader<'tree, 'text> {
@@ -31,8 +27,9 @@ impl<'tree, 'text> Reader<'tree, 'text> {
         Fault::new(Problem::WrongKind { expected, found }).at(&self.place)
     }
 
-    fn beyond(&self, most: &'static str) -> Fault {
-        Fault::new(Problem::Refused { sentence: format!("must be within ±{most}") }).at(&self.place)
+    fn too_long(&self, expected: &'static str) -> Fault {
+        let sentence = format!("must be {expected} that 64 bits hold");
+        Fault::new(Problem::Refused { sentence }).at(&self.place)
     }
 
     fn visit_table<V: Visitor<'tree>>(
@@ -63,8 +60,8 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
             Content::Text(text) => visitor.visit_str(text),
             Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
             Content::Real(Some(real)) => visitor.visit_f64(real),
-            Content::Whole(_) => Err(self.beyond(MOST_WHOLE)),
-            Content::Real(None) => Err(self.beyond(MOST)),
+            Content::Whole(_) => Err(self.too_long("a whole number")),
+            Content::Real(None) => Err(self.too_long("a number")),
             Content::Truth(truth) => visitor.visit_bool(truth),
             Content::Date => Err(self.wrong_kind("something other than a date")),
             Content::List(items) => self.visit_list(items, visitor),
@@ -79,7 +76,7 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
         };
         match real {
             Some(real) => visitor.visit_f64(real),
-            None => Err(self.beyond(MOST)),
+            None => Err(self.too_long("a number")),
         }
     }
 
@@ -90,7 +87,7 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
     fn deserialize_i64<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self.node.content() {
             Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
-            Content::Whole(_) => Err(self.beyond(MOST_WHOLE)),
+            Content::Whole(_) => Err(self.too_long("a whole number")),
             _ => Err(self.wrong_kind("a whole number")),
         }
     }

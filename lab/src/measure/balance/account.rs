@@ -271,7 +271,7 @@ impl<V: Space<Scalar = f64>> Account<V> {
         let (from, to) = (real(last, before.truly.time), real(now, after.truly.time));
         let wall = self.law.work(from, to);
         let slow = (last.environment - filtered).inner(way);
-        // Without a filter the estimates differ by rounding, which belongs to the rest.
+        // Without a filter the estimates differ by rounding, which belongs to the rest, whatever that is called.
         let has_filter = self.scene.effects.filter.is_some();
         Balance {
             gained,

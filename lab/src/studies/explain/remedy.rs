@@ -110,17 +110,21 @@ fn softer(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
         None if LinearPart::of(scene).is_ok() => return None,
         None => own / FURTHER,
     };
+    let (tree, name) = (toml::Value::try_from(scene).ok()?, scene.environment.name());
     let trials = (0..TRIALS).map(|trial| rounded_down(most / FURTHER.powi(trial)));
     trials.filter(|stiffness| *stiffness < own && *stiffness > 0.0).find_map(|stiffness| {
-        let name = scene.environment.name();
-        let mut tree = toml::Value::try_from(scene).ok()?;
-        let written = tree.get_mut("environment")?.get_mut(name)?.get_mut("stiffness")?;
-        // The stiffness of layers is a list.
-        written.as_float()?;
-        *written = stiffness.into();
+        let softer = scene.remade(&with_stiffness(tree.clone(), name, stiffness)?).ok()?;
         let key = format!("environment.{name}.stiffness");
-        search.tried(scene.remade(&tree).ok()?, vec![(key, Change::Number(stiffness))])
+        search.tried(softer, vec![(key, Change::Number(stiffness))])
     })
+}
+
+/// The tree of a scene with another stiffness of its environment; none of layers, whose stiffness is a list.
+fn with_stiffness(mut tree: toml::Value, name: &str, stiffness: f64) -> Option<toml::Value> {
+    let written = tree.get_mut("environment")?.get_mut(name)?.get_mut("stiffness")?;
+    written.as_float()?;
+    *written = stiffness.into();
+    Some(tree)
 }
 
 /// The lowest rate at which the loop holds: the environment's, and if that already is the servo's, both.

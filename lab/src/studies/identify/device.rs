@@ -99,13 +99,16 @@ impl Fault {
             ),
         };
         let cut = matches!(self, Self::Short | Self::NoMass) && gaps > 0;
-        let remedy = match (bad.blamed(), cut, gaps) {
-            (Some(blamed), ..) => format!("{blamed}; else {remedy}"),
-            (None, false, _) => remedy.to_owned(),
-            (None, true, 1) => format!("a gap cuts the log: record every row; {remedy}"),
-            (None, true, _) => format!("{gaps} gaps cut the log: record every row; {remedy}"),
+        let remedy = match (cut, gaps) {
+            (false, _) => remedy.to_owned(),
+            (true, 1) => format!("a gap cuts the log: record every row; {remedy}"),
+            (true, _) => format!("{gaps} gaps cut the log: record every row; {remedy}"),
         };
-        LogError::about(name, fault).with_help(remedy)
+        let blamed = bad.blamed().filter(|_| matches!(self, Self::Short | Self::NoForce));
+        LogError::about(name, fault).with_help(match blamed {
+            Some(blamed) => format!("{remedy}; {blamed}"),
+            None => remedy,
+        })
     }
 }
 

@@ -169,7 +169,7 @@ impl Environment {
         self.kind().impedance().filter(|_| has_surface).map(|it| it.stiffness)
     }
 
-    /// The same, mutable.
+    /// The wall, if it is one, to be changed.
     pub(crate) fn wall_mut(&mut self) -> Option<&mut Wall> {
         if let Self::Wall(wall) = self { Some(wall) } else { None }
     }
