@@ -82,7 +82,8 @@ export async function book(browser) {
 }
 
 /** A list or a listing in a paragraph, which Markdown did not see. */
-const UNDRAWN = `[...document.querySelectorAll("[role=main] :is(p, li)")].map((it) => it.textContent.match(/\`\`\`.*|^([-*]|\\d+\\.) .*/m)?.[0]).find((it) => it) ?? null`;
+const UNDRAWN = `[...document.querySelectorAll("[role=main] :is(p, li)")]
+  .map((it) => it.textContent.match(/\`\`\`.*|^([-*]|\\d+\\.) .*/m)?.[0]).find((it) => it) ?? null`;
 
 /** The docs around it: every page is drawn and no wider than the screen, and axe-core finds nothing serious in some of them,
  *  since all share one template. */
