@@ -46,14 +46,15 @@ export async function looks(browser) {
   }
 }
 
-/** The height of what the frame of a chapter shows, and of the frame. */
+/** The height of what the frame of a chapter shows, and of the frame, once it stays. */
 async function heights(page) {
   const { frameTree } = await page.send("Page.getFrameTree");
   const { executionContextId: contextId } = await page.send("Page.createIsolatedWorld", { frameId: frameTree.childFrames[0].frame.id });
   const expression = "document.documentElement.dataset.ready === 'yes' ? [document.querySelector('main').getBoundingClientRect().bottom, innerHeight] : null";
-  for (let tries = 0; tries < 200; tries += 1) {
+  for (let tries = 0, last = null; tries < 200; tries += 1) {
     const { result } = await page.send("Runtime.evaluate", { expression, contextId, returnByValue: true });
-    if (result.value) return result.value;
+    if (result.value && String(result.value) === last) return result.value;
+    last = String(result.value);
     await new Promise((done) => setTimeout(done, 50));
   }
   throw new Error("the page in the frame never began");
