@@ -171,7 +171,7 @@ fn what_tells_nothing_is_refused_with_a_remedy() {
 
 #[test]
 fn rows_that_cannot_be_read_are_told_where_they_may_be_why() {
-    let log = PLAIN.log(600, &mut Chance::new(11));
+    let log = Truth { wall: [0.012, 1000.0, 10.0], ..PLAIN }.log(600, &mut Chance::new(11));
     let with_units = |row: &str| {
         let is_contact = !row.starts_with('t') && !row.ends_with(",0.0");
         if is_contact { format!("{row} N\n") } else { format!("{row}\n") }
