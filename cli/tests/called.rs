@@ -13,7 +13,7 @@ pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
-/// What the command prints; asserts that it succeeds and says nothing besides.
+/// The output of a command that has to succeed and to say nothing besides.
 #[track_caller]
 pub(crate) fn prints<A: AsRef<OsStr>>(arguments: impl IntoIterator<Item = A>) -> String {
     let said = lyapunov(arguments);
