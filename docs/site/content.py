@@ -7,7 +7,6 @@ from latex2mathml.converter import convert
 
 PARTS = re.compile(r"(^```.*?^```|`[^`\n]+`)|\$\$(.+?)\$\$|\$([^$\n]+)\$([,.;:)]?)", re.MULTILINE | re.DOTALL)
 
-
 # rustdoc takes words about a listing, such as the error that it has to give.
 LISTING = re.compile(r"^```[a-z_]+,.*$", re.MULTILINE)
 
