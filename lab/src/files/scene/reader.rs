@@ -28,7 +28,7 @@ impl<'tree, 'text> Reader<'tree, 'text> {
     }
 
     fn too_long(&self, expected: &'static str) -> Fault {
-        let sentence = format!("must be {expected} that 64 bits hold");
+        let sentence = format!("must be {expected}");
         Fault::new(Problem::Refused { sentence }).at(&self.place)
     }
 
@@ -60,8 +60,8 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
             Content::Text(text) => visitor.visit_str(text),
             Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
             Content::Real(Some(real)) => visitor.visit_f64(real),
-            Content::Whole(_) => Err(self.too_long("a whole number")),
-            Content::Real(None) => Err(self.too_long("a number")),
+            Content::Whole(_) => Err(self.too_long("a whole number of 64 bits, sign included")),
+            Content::Real(None) => Err(self.too_long("a number of 64 bits")),
             Content::Truth(truth) => visitor.visit_bool(truth),
             Content::Date => Err(self.wrong_kind("something other than a date")),
             Content::List(items) => self.visit_list(items, visitor),
@@ -76,7 +76,7 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
         };
         match real {
             Some(real) => visitor.visit_f64(real),
-            None => Err(self.too_long("a number")),
+            None => Err(self.too_long("a number of 64 bits")),
         }
     }
 
@@ -87,7 +87,7 @@ impl<'tree> Deserializer<'tree> for Reader<'tree, '_> {
     fn deserialize_i64<V: Visitor<'tree>>(self, visitor: V) -> Result<V::Value, Fault> {
         match self.node.content() {
             Content::Whole(Whole { signed: Some(whole), .. }) => visitor.visit_i64(whole),
-            Content::Whole(_) => Err(self.too_long("a whole number")),
+            Content::Whole(_) => Err(self.too_long("a whole number of 64 bits, sign included")),
             _ => Err(self.wrong_kind("a whole number")),
         }
     }

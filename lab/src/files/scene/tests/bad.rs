@@ -87,7 +87,7 @@ const CASES: &[Case] = &[
     ("ticks = 2 ", "ticks = 2.0 ", "effects.delay.ticks", &["must be a whole number", "2.0", "0 to 1024"]),
     ("ticks = 2 ", "ticks = -1 ", "effects.delay.ticks", &["whole number from 0 to 1024", "not -1"]),
     ("ticks = 2 ", "ticks = 1025 ", "effects.delay.ticks", &["whole number from 0 to 1024", "not 1025"]),
-    ("ticks = 2 ", "ticks = 99999999999999999999 ", "effects.delay.ticks", &["99999999999999999999", "a whole number that 64 bits hold", "0 to 1024"]),
+    ("ticks = 2 ", "ticks = 99999999999999999999 ", "effects.delay.ticks", &["99999999999999999999", "a whole number of 64 bits, sign included", "0 to 1024"]),
     ("ticks = 2 ", "ticks = \"2\" ", "effects.delay.ticks", &["must be a whole number, not the text \"2\""]),
     ("force = 8.0", "force = -8.0", "effects.saturation.force", &["greater than 0", "-8.0", "unit is N"]),
     ("stiffness = 50.0", "stiffness = 1e300", "operator.stiffness", &["within one period", "1e300 stands out"]),
