@@ -1,7 +1,7 @@
 // How the page, the book and the docs look.
 
 import assert from "node:assert/strict";
-import { readdirSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 
 import { range } from "../page/curves.js";
@@ -90,7 +90,7 @@ const UNDRAWN = `[...document.querySelectorAll("[role=main] :is(p, li)")]
  *  since all share one template. */
 export async function docs(browser) {
   const site = join(dirname(dirname(file)), "site");
-  const pages = readdirSync(site, { recursive: true }).filter((it) => it.endsWith(".html") && !it.startsWith("book")).sort();
+  const pages = readdirSync(site, { recursive: true }).filter((it) => it.endsWith(".html") && !/^(book|search)/.test(it)).sort();
   assert.ok(pages.includes("index.html") && pages.length > 100, `${pages.length} pages`);
   for (const [index, at] of pages.entries()) {
     const [width, scheme] = [index % 3 ? 360 : 1100, index % 2 ? "dark" : "light"];
@@ -100,6 +100,29 @@ export async function docs(browser) {
     assert.equal(await page.value(UNDRAWN), null, `${at} has Markdown that is not drawn`);
     if (index % 24 === 0) assert.deepEqual(await serious(page), [], at);
     assert.deepEqual(page.faults().filter((it) => !it.startsWith("request: file://")), [], at);
+    await page.close();
+  }
+}
+
+/** The search of the docs, from a disk: sections that have all words, each by a link to a heading that is there. */
+export async function searched(browser) {
+  const site = join(dirname(dirname(file)), "site");
+  for (const [width, scheme] of [[1100, "light"], [360, "dark"]]) {
+    const page = await browser.open(`file://${join(site, "search.html")}?q=shortfall`, { width, scheme });
+    await page.until("document.querySelectorAll('#mkdocs-search-results article').length > 10");
+    const found = await page.value("[...document.querySelectorAll('#mkdocs-search-results a')].map((it) => it.getAttribute('href'))");
+    for (const [at, heading] of found.map((it) => it.split("#"))) {
+      const text = readFileSync(join(site, at), "utf8");
+      assert.ok(/shortfall/i.test(text) && text.includes(`id="${decodeURIComponent(heading)}"`), `${at}#${heading}`);
+    }
+    assert.ok(await page.value("[...document.querySelectorAll('article')].every((it) => /shortfall/i.test(it.textContent))"));
+    assert.deepEqual(await serious(page), [], scheme);
+    const asked = (words) => `(() => { const box = document.getElementById("mkdocs-search-query"); box.value = "${words}";
+      box.dispatchEvent(new Event("input")); return document.querySelector("#mkdocs-search-results").textContent; })()`;
+    assert.match(await page.value(asked("environment.wall.stiffness")), /stiffness/);
+    assert.match(await page.value(asked("shortfall of no such word")), /^No section/);
+    assert.match(await page.value(asked("*:^~")), /^No section/);
+    assert.deepEqual(page.faults().filter((it) => !it.startsWith("request: file://")), []);
     await page.close();
   }
 }
