@@ -6,7 +6,7 @@ use lyapunov_lab::paper::claims::{
     Balance, Control, Loop, Measures, Member, Run, Runs, SOFT, START, STIFF, Steps, Unstated,
     Verdict, claims, measured, traces,
 };
-use lyapunov_lab::paper::{Draws, PaperError, Study};
+use lyapunov_lab::paper::{Draws, Study};
 use rayon::ThreadPoolBuilder;
 
 /// A hand-written loop over held work.
@@ -172,7 +172,7 @@ fn the_energies_at_50_kn_are_told_by_steps_and_not_by_rest() {
     near(popc.variation(), longer[0].variation(), 1e-9, "POPC's variation over 30 s");
     near(lolc.variation(), longer[1].variation(), 1e-9, "LOLC's variation over 30 s");
 
-    let single = Runs::of(Steps::Ours, std::slice::from_ref(&member), || Ok::<_, PaperError>(()));
+    let single = Runs::of(Steps::Ours, std::slice::from_ref(&member), || ());
     let single = single.unwrap()[0];
     near(single.stiff_popc.variation, popc.variation(), 1e-3, "ours until settled");
     near(single.stiff_lolc.variation, lolc.variation(), 1e-3, "ours until settled");
@@ -199,7 +199,7 @@ fn sign_and_size_and_peak_and_fall_are_told_apart() {
     let lowest = energies.iter().copied().fold(0.0, f64::min);
     assert!(lowest < -9.0 * highest, "{lowest} after {highest}");
 
-    let single = Runs::of(Steps::Ours, std::slice::from_ref(&member), || Ok::<_, PaperError>(()));
+    let single = Runs::of(Steps::Ours, std::slice::from_ref(&member), || ());
     let single = single.unwrap()[0];
     let judged = claims(&[member], [&[single], &[single]], [single; 2]);
     let held = |id: &str| judged.iter().find(|claim| claim.id == id).unwrap().ours.held == 1;
@@ -232,11 +232,11 @@ fn the_study_is_the_same_on_any_number_of_threads() {
     let study = |threads: usize| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let draws = Draws { count: 30, seed: 9 };
-        pool.install(|| Study::run(draws, || Ok::<_, PaperError>(())).unwrap())
+        pool.install(|| Study::run(draws, || ()).unwrap())
     };
     let one = study(1);
     assert_eq!(one, study(3));
-    assert_eq!(one.to_json().unwrap(), study(2).to_json().unwrap());
+    assert_eq!(one.to_json(), study(2).to_json());
 }
 
 /// The loop is homogeneous: until chaos sets in, a larger start scales the motion.
@@ -302,7 +302,7 @@ fn energy_balances_close() {
 /// Every verdict follows from its interval, and names what its influences name.
 #[test]
 fn verdicts_follow_from_intervals() {
-    let study = Study::run(Draws { count: 200, seed: 1 }, || Ok::<_, PaperError>(())).unwrap();
+    let study = Study::run(Draws { count: 200, seed: 1 }, || ()).unwrap();
     assert!(study.claims.len() > 13);
     // A member has one rate: the runs of each loop are those of its rates.
     for outcomes in &study.outcomes {

@@ -260,8 +260,7 @@ fn a_run_in_balance_tries_nothing_and_says_so() {
     let explained = Explanation::of::<f64>(&scene).unwrap();
     assert!(explained.is_undisturbed && explained.remedies.is_empty(), "{explained}");
     let page = explained.to_html("test", "");
-    let json: serde_json::Value =
-        serde_json::from_str(&explained.to_json("test").unwrap()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&explained.to_json("test")).unwrap();
     for told in [explained.to_string(), page, json["no_remedies"].to_string()] {
         assert!(told.contains("starts in balance"), "{told}");
     }

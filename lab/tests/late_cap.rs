@@ -92,9 +92,9 @@ fn a_cap_above_the_limit_of_the_delay_is_told() {
             run.to_string(),
             explained.to_string(),
             compared.to_string(),
-            run.to_json("press").unwrap(),
-            explained.to_json("press").unwrap(),
-            lyapunov_lab::compare::document(&[compared], &[]).unwrap(),
+            run.to_json("press"),
+            explained.to_json("press"),
+            lyapunov_lab::compare::document(&[compared], &[]),
         ]
     };
     let short = |text: &str| text.replace("duration = 4.0", "duration = 0.4");

@@ -29,7 +29,7 @@ fn explained<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
             energies += &format!("\t{name}|{first:?}|{whole:?}");
         }
     }
-    let json = explanation.to_json("page").map_err(|error| error.to_string())?;
+    let json = explanation.to_json("page");
     Ok(format!("{sentence}\n{energies}\n{json}").into_bytes())
 }
 

@@ -7,6 +7,9 @@ use crate::exchange::{answer, bytes};
 use crate::map::place;
 use crate::scene::{parsed, stabilized};
 
+/// The most ticks of a run whose rows the page holds, 48 bytes each for three loops at once.
+const MOST: u64 = 1_000_000;
+
 /// Runs a scene; the output is its rows, as the command `run` writes them.
 #[unsafe(no_mangle)]
 pub extern "C" fn rows() -> u32 {
@@ -38,6 +41,10 @@ fn csv<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
 pub extern "C" fn trace() -> u32 {
     answer(|text| {
         let scene = stabilized(text)?;
+        let ticks = scene.ticks();
+        if ticks > MOST {
+            return Err(format!("{ticks} ticks; the page shows {MOST}: shorten the duration"));
+        }
         in_space!(scene, V => traced::<V>(&scene))
     })
 }

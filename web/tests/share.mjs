@@ -114,6 +114,10 @@ export async function refused(browser) {
     const off = await cut.value("[...document.querySelectorAll('#lines button')].map((it) => it.disabled && it.title !== '')");
     assert.deepEqual(off, [isOff, isOff, isOff], name);
   }
+  // It says so at once, where rows of all ticks would fill the memory.
+  await drop(cut, [["long.toml", `${shipped("paper-8k-none").replace(/^duration.*$/m, "duration = 1e9")}`]]);
+  await cut.until("document.querySelector('#done').textContent.includes('1000000000000 ticks')");
+  assert.equal(await cut.value("lyapunov.state.tree.duration === 1e9"), false);
   await cut.close();
   const stays = await opened(browser);
   await drop(stays, [["link.toml", readFileSync(join(root, "scenes/link.toml"), "utf8")]]);

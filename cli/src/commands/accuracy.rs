@@ -51,7 +51,7 @@ impl Accuracy {
         let files = names(RESULTS, ["accuracy"], ["accuracy.csv"]);
         let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let study = self.study(&scene)?;
-        let text = study.document(target).map_err(End::internal)?;
+        let text = study.to_json(target);
         if let Some(folder) = folder {
             self.fill(&folder, &study, target, &text)?;
         }

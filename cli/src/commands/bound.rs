@@ -45,7 +45,7 @@ impl Bound {
         let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let limits = Limits::of(&scene);
         let name = named(&self.scene);
-        let json = limits.to_json(&name).map_err(End::internal)?;
+        let json = limits.to_json(&name);
         if let Some(folder) = folder {
             let curve = RadiusCurve::of(&scene, &limits);
             let page = bound::page(&name, &scene, &limits, curve.as_ref(), &command_line());

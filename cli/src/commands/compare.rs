@@ -95,7 +95,7 @@ impl Compare {
         let folder = self.out.as_deref().map(|path| self.claim(path, &scenes)).transpose()?;
         let compared = self.compare(&scenes, &named, &mut left_out)?;
         let (comparisons, answers): (Vec<_>, Vec<_>) = compared.into_iter().unzip();
-        let text = document(&comparisons, left_out.reasons()).map_err(End::internal)?;
+        let text = document(&comparisons, left_out.reasons());
         if let Some(folder) = folder {
             fill(&folder, &comparisons, &answers, &left_out, &text)?;
         }

@@ -57,7 +57,7 @@ impl Effects {
         };
         let costs = costs.map_err(|error| self.blame(error))?;
         bar.finish_and_clear();
-        let json = costs.document().map_err(End::internal)?;
+        let json = costs.to_json();
         if let Some(folder) = folder {
             let results = Results::new(costs.to_html(&command_line()), RESULTS, &json);
             let results = results.with_figure("effects", &costs.figure())?;

@@ -48,7 +48,7 @@ impl Explain {
         let explanation =
             explanation.map_err(|error| End::input(format_args!("{name}: {error}")))?;
         let explanation = explanation.ok_or(End::Interrupted)?;
-        let json = explanation.to_json(&name).map_err(End::internal)?;
+        let json = explanation.to_json(&name);
         if let Some(folder) = folder {
             let results = Results::new(explanation.to_html(&name, &command_line()), RESULTS, &json);
             let results = results.with_figure("explain", &explanation.figure(&name))?;

@@ -83,7 +83,7 @@ impl Hard {
             error => End::internal(error),
         })?;
         bar.finish_and_clear();
-        let text = catalogue.document().map_err(End::internal)?;
+        let text = catalogue.to_json();
         if let Some(folder) = folder {
             let page = catalogue.report(&command_line());
             let results = Results::new(page, RESULTS, &text);

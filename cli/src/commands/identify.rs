@@ -57,7 +57,7 @@ impl Identify {
             Recording::read(log, name, &settings).map(|it| (it, name.to_owned()))
         })?;
         let identified = apart(move || Identified::of(recording, &name))?.map_err(End::input)?;
-        let json = identified.to_json().map_err(End::internal)?;
+        let json = identified.to_json();
         if let Some(folder) = folder {
             let results = Results::new(identified.to_html(&command_line()), RESULTS, &json);
             let results = results.with_figure("identify", &identified.figure())?;

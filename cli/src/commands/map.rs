@@ -143,7 +143,7 @@ impl Map {
         let computation = Computation::of(&run, effort);
         // A shard does not know the cells along a whole axis.
         let bounds = if shard == Shard::WHOLE { run.install(|| Bounds::of(&grid)) } else { None };
-        let text = document(&survey, bounds.as_ref(), Some(&computation)).map_err(End::internal)?;
+        let text = document(&survey, bounds.as_ref(), Some(&computation));
         if let (Some(folder), Some(checkpoint)) = (&folder, checkpoint) {
             let beside = || self.beside(shard, &survey, bounds.as_ref(), &text);
             let cells = shard.cells(grid.cells());
@@ -193,7 +193,7 @@ impl Map {
         let sweep =
             plan.run(self.threads.map(usize::from), &watch).map_err(|error| self.ended(error))?;
         bar.finish_and_clear();
-        let text = sweep.document().map_err(End::internal)?;
+        let text = sweep.to_json();
         if let Some(folder) = folder {
             let results = Results::new(sweep.to_html(&command_line()), SWEEP, &text);
             let results = results.with_file("sweep.csv", sweep.csv());

@@ -95,8 +95,8 @@ impl Observe {
             None => observe::observe(log, name, &settings),
         })?;
         if let Some(folder) = folder {
-            let results =
-                Results::new(observed.to_html(&command_line()), RESULTS, &json(&observed)?);
+            let json = observed.report.to_json();
+            let results = Results::new(observed.to_html(&command_line()), RESULTS, &json);
             let mut results = results.with_figure("observe", &observed.figure())?;
             if let Some(replay) = &observed.report.replay {
                 results = results.with_file("stabilizers.csv", replay.csv());
@@ -125,7 +125,7 @@ impl Observe {
     fn tell(&self, observed: &Observed) -> Result<(), End> {
         let report = &observed.report;
         match (self.json, self.quiet, &self.out) {
-            (true, ..) => print(json(observed)?),
+            (true, ..) => print(report.to_json()),
             (_, true, _) => Ok(()),
             (.., None) => print(format_args!("{report}\n")),
             (.., Some(folder)) => {
@@ -133,9 +133,4 @@ impl Observe {
             }
         }
     }
-}
-
-fn json(observed: &Observed) -> Result<String, End> {
-    let text = serde_json::to_string_pretty(&observed.report).map_err(End::internal)?;
-    Ok(text + "\n")
 }

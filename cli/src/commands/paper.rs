@@ -57,12 +57,7 @@ impl Paper {
         let bar = shown(ProgressBar::new(Study::STAGES as u64), BAR, self.quiet);
         let draws = Draws { count: self.draws, seed: self.seed };
         let stages = bar.clone();
-        let study = apart(move || {
-            Study::run(draws, || -> Result<(), PaperError> {
-                stages.inc(1);
-                Ok(())
-            })
-        })??;
+        let study = apart(move || Study::run(draws, || stages.inc(1)))??;
         bar.finish_and_clear();
         folder.fill(results(&study, folder.path(), &self.command())?)?;
         if self.quiet {
@@ -70,7 +65,7 @@ impl Paper {
         }
         let files = self.out.display();
         let text = match self.json {
-            true => study.to_json()?,
+            true => study.to_json(),
             false => format!("{study}\nreport, figures and the rows behind them are in {files}\n"),
         };
         print(text)
@@ -95,7 +90,7 @@ fn results(study: &Study, folder: &Path, command: &str) -> Result<Results, End> 
     let refused = |error| End::input(OutputError::new(folder, error));
     let figures = figures()?;
     let page = study.to_html(&figures, command);
-    let mut results = Results::new(page, RESULTS, &study.to_json()?);
+    let mut results = Results::new(page, RESULTS, &study.to_json());
     for (name, figure, _) in &figures {
         results = results.with_figure(name, figure)?;
     }

@@ -169,7 +169,7 @@ impl Run {
         let told = simulate(scene, &self.progress(scene), rows, Some(&mut curves), log)?;
         let name = named(&self.scene);
         let page = curves.to_html(&name, &told.summary, told.laid.as_ref(), &command_line());
-        let results = Results::new(page, RESULTS, &self.json(&told)?);
+        let results = Results::new(page, RESULTS, &self.json(&told));
         let mut results = results.with_figure("run", &curves.figure(&name, &told.summary))?;
         if let Some(laid) = &told.laid {
             results = results.with_figure("against", &laid.figure())?;
@@ -206,20 +206,19 @@ impl Run {
 
     fn words(&self, told: &Ended) -> Result<String, End> {
         if self.json {
-            return self.json(told);
+            return Ok(self.json(told));
         }
         let (scene, summary) = (named(&self.scene), &told.summary);
         let laid = told.laid.as_ref().map_or_else(String::new, |laid| laid.text() + "\n");
         Ok(format!("{scene}\n{summary}\n{}{laid}", Hint::of(summary)))
     }
 
-    fn json(&self, told: &Ended) -> Result<String, End> {
+    fn json(&self, told: &Ended) -> String {
         let scene = named(&self.scene);
-        let json = match &told.laid {
+        match &told.laid {
             None => told.summary.to_json(&scene),
             Some(laid) => laid.to_json(&scene, &told.summary),
-        };
-        json.map_err(End::internal)
+        }
     }
 
     /// Progress bar, hidden for a short run.

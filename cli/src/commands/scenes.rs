@@ -26,7 +26,7 @@ impl Scenes {
     pub(crate) fn run(&self) -> Result<(), End> {
         let text = match &self.name {
             Some(name) => scenes::text_of(name).map_err(End::input)?.to_owned(),
-            None if self.json => scenes::json().map_err(End::internal)?,
+            None if self.json => scenes::json(),
             None if self.quiet => listed(|scene| scene.name.to_owned()),
             None => listed(|scene| {
                 let [what, look] = scene.comment();

@@ -72,7 +72,7 @@ impl Tune {
         Tuning::check(&self.stabilizers.on(&scene), &scene)
             .map_err(|error| End::input(format_args!("{name}: {error}")))?;
         let tuned = tune(&tuning, &name, &scene, &self.stabilizers, self.quiet)?;
-        let text = document(&name, &tuning, &tuned).map_err(End::internal)?;
+        let text = document(&name, &tuning, &tuned);
         if let Some(folder) = folder {
             let page = page(&name, &tuning, &tuned, &command_line());
             let results = Results::new(page, RESULTS, &text).with_file("tune.csv", csv(&tuned));

@@ -51,7 +51,7 @@ impl Sidecar {
         let Some(place) = self.0 else { return rows.keep().map_err(End::input) };
         // Both are open before one is closed: a file that is opened sweeps what nobody holds.
         let mut json = Output::create(&place).map_err(End::input)?;
-        let text = file.to_json().map_err(End::internal)?;
+        let text = file.to_json();
         json.write_all(text.as_bytes()).map_err(|error| End::input(json.blame(error)))?;
         let mut outputs = Outputs::of(place.parent().unwrap_or(Path::new("")));
         outputs.add(rows).map_err(End::input)?;

@@ -6,6 +6,7 @@ pub(crate) mod described;
 pub(crate) mod energy_bars;
 pub(crate) mod envelope;
 pub(crate) mod html;
+pub(crate) mod json;
 pub(crate) mod labelled;
 pub(crate) mod output_error;
 pub(crate) mod row_file;

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::csv::COLUMNS;
+use super::json;
 use crate::files::Scene;
 use crate::simulate::row::further_columns;
 
@@ -60,11 +61,8 @@ impl RowFile {
     }
 
     /// The same as JSON.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn to_json(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(self).map(|text| text + "\n")
+    pub fn to_json(&self) -> String {
+        json::text(self)
     }
 }
 

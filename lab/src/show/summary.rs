@@ -5,6 +5,7 @@ use std::fmt;
 use serde::Serialize;
 
 use super::described;
+use super::json;
 use super::row_file::RowFile;
 use crate::files::scene::{Scalar, Velocity};
 use crate::text::{folded, found, given, listed};
@@ -71,19 +72,12 @@ struct Observed<'a> {
 
 impl Summary {
     /// The summary of the scene called `scene`, as JSON; docs/command.md lists its keys.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON, and a number that is not finite becomes null.
-    pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
+    pub fn to_json(&self, scene: &str) -> String {
         self.to_json_against(scene, None::<()>)
     }
 
     /// The same with the log that the run was laid over under `against`.
-    pub(crate) fn to_json_against(
-        &self,
-        scene: &str,
-        against: Option<impl Serialize>,
-    ) -> serde_json::Result<String> {
+    pub(crate) fn to_json_against(&self, scene: &str, against: Option<impl Serialize>) -> String {
         let complete = self.left_range().is_none();
         let stabilizer = self.stabilizing.is_there().then(|| self.stabilizer());
         let document = Document {
@@ -103,7 +97,7 @@ impl Summary {
             file: RowFile::of(&self.scene),
             against,
         };
-        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+        json::text(&document)
     }
 
     fn stabilizer(&self) -> Observed<'_> {

@@ -2,6 +2,7 @@
 
 use lyapunov::Plant;
 use lyapunov::effects::{Random, Source};
+use serde::Serialize;
 
 use super::building::{Scenes, Space, in_space};
 use crate::files::Scene;
@@ -41,7 +42,7 @@ pub enum Constant {
 }
 
 /// How far an ensemble moves the numbers of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Moves {
     /// The largest delay of the first tick, in periods of the environment: 1 moves the clock over a whole tick of it.
     pub phase: f64,

@@ -1,5 +1,6 @@
 //! The scenes that ship: `lyapunov scenes`.
 
+use crate::show::json;
 use serde::Serialize;
 
 pub use crate::files::shipped::{SCENES, ShippedScene, Unknown, text_of};
@@ -11,11 +12,8 @@ struct Entry {
 }
 
 /// List of the scenes that ship, as JSON.
-///
-/// # Errors
-/// None that is known.
-pub fn json() -> Result<String, serde_json::Error> {
+pub fn json() -> String {
     let entries: Vec<Entry> =
         SCENES.iter().map(|scene| Entry { name: scene.name, comment: scene.comment() }).collect();
-    serde_json::to_string_pretty(&entries).map(|text| text + "\n")
+    json::text(&entries)
 }

@@ -185,7 +185,7 @@ fn columns_and_bad_rows_are_told_as_observe_tells_them() {
         ),
         "{text}"
     );
-    let json: serde_json::Value = serde_json::from_str(&found.to_json().unwrap()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&found.to_json()).unwrap();
     assert_eq!(json["columns"][1]["unit"], "mm");
     assert_eq!(json["decimal_commas"], false);
     assert!(!of(PLAIN, 600).to_string().contains("  columns"));

@@ -45,7 +45,7 @@ pub(crate) fn accuracy(
         let advice =
             target.map_or_else(String::new, |metres| format!("\n{}", study.advice(metres)));
         Ok(Told {
-            json: study.document(target).map_err(Fault::internal)?,
+            json: study.to_json(target),
             text: format!("{study}{advice}"),
             figures: vec![study.figure().to_svg()],
             columns: Columns::of_csv(&study.csv(), KINDS)?.into(),

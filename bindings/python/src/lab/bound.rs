@@ -4,7 +4,7 @@ use lyapunov_lab::bound::{Limits, RadiusCurve};
 use pyo3::prelude::*;
 
 use super::columns::{Columns, Kinds};
-use super::work::{Fault, wait};
+use super::work::wait;
 use super::{Scene, Told};
 
 /// How stiff the environment may be, by formula and exactly.
@@ -15,7 +15,7 @@ pub(crate) fn bound(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told> 
         let limits = Limits::of(&scene);
         let curve = RadiusCurve::of(&scene, &limits);
         Ok(Told {
-            json: limits.to_json(&name).map_err(Fault::internal)?,
+            json: limits.to_json(&name),
             text: format!("{name}\n{limits}"),
             figures: curve.iter().map(|curve| curve.figure(&name).to_svg()).collect(),
             columns: curve

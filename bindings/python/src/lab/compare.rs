@@ -55,7 +55,7 @@ pub(crate) fn compare(
         }
         let text: Vec<String> = comparisons.iter().map(Comparison::to_string).collect();
         Ok(Told {
-            json: document(&comparisons, &[]).map_err(Fault::internal)?,
+            json: document(&comparisons, &[]),
             text: text.join("\n"),
             figures: comparisons.iter().map(|one| one.figure().to_svg()).collect(),
             columns: scored(&csv(&comparisons))?.into(),

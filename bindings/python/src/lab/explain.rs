@@ -23,7 +23,7 @@ pub(crate) fn explain(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told
             explanation.map_err(|error| Fault::input(format_args!("{name}: {error}")))?;
         let explanation = explanation.ok_or(Fault::Stopped)?;
         Ok(Told {
-            json: explanation.to_json(&name).map_err(Fault::internal)?,
+            json: explanation.to_json(&name),
             text: format!("{name}\n{explanation}"),
             figures: vec![explanation.figure(&name).to_svg()],
             columns: Columns::of_csv(&explanation.csv(), KINDS)?.into(),

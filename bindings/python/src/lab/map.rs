@@ -96,7 +96,7 @@ fn swept(
     let sweep =
         plan.run(threads, &|ticks| watched.add(ticks)).map_err(|error| fault(name, error))?;
     Ok(Told {
-        json: sweep.document().map_err(Fault::internal)?,
+        json: sweep.to_json(),
         text: sweep.to_string(),
         figures: vec![sweep.verdicts().to_svg(), sweep.curves().to_svg()],
         columns: scored(&sweep.csv())?.into(),
@@ -133,7 +133,7 @@ pub(super) fn told(survey: &Survey, computation: Option<&Computation>) -> Result
     let bounds = Bounds::of(survey.grid());
     let drawn = figures(survey, bounds.as_ref());
     Ok(Told {
-        json: document(survey, bounds.as_ref(), computation).map_err(Fault::internal)?,
+        json: document(survey, bounds.as_ref(), computation),
         text: areas(survey),
         figures: drawn.iter().map(|drawn| drawn.figure.to_svg()).collect(),
         ..Told::default()

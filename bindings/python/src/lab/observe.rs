@@ -110,9 +110,8 @@ pub(crate) fn observe(
             return Err(Fault::Stopped);
         }
         let observed = observed.map_err(Fault::input)?;
-        let json = serde_json::to_string_pretty(&observed.report).map_err(Fault::internal)?;
         Ok(Told {
-            json: json + "\n",
+            json: observed.report.to_json(),
             text: format!("{}\n", observed.report),
             figures: [Some(observed.figure()), observed.would_have()]
                 .into_iter()

@@ -142,7 +142,7 @@ fn drain<V: Space>(
         curves.add(&tick, &summary);
     }
     Ok(Told {
-        json: summary.to_json(name).map_err(Fault::internal)?,
+        json: summary.to_json(name),
         text: format!("{name}\n{summary}\n{}", Hint::of(&summary)),
         figures: vec![curves.figure(name, &summary).to_svg()],
         columns: rows.columns().into(),

@@ -53,7 +53,7 @@ pub(crate) fn tune(
             one.text().map(|text| (one.name.to_string(), text)).map_err(Fault::internal)
         });
         Ok(Told {
-            json: document(&name, &tuning, &tuned).map_err(Fault::internal)?,
+            json: document(&name, &tuning, &tuned),
             text: table(&name, &tuning, &tuned),
             figures: vec![figure(&name, tuning.objective, &tuned).to_svg()],
             scenes: scenes.collect::<Result<_, _>>()?,

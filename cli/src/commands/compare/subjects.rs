@@ -86,7 +86,7 @@ pub(super) fn run<C: Compared>(
         error => End::internal(error),
     })?;
     bar.finish_and_clear();
-    let text = C::document(&comparisons, left_out.reasons()).map_err(End::internal)?;
+    let text = C::document(&comparisons, left_out.reasons());
     let sheets: Vec<Sheet> = comparisons.iter().map(C::sheet).collect();
     if let Some(folder) = folder {
         let page = page::<C>(&sheets, left_out.reasons(), &command_line());

@@ -102,8 +102,7 @@ impl Hard {
             folder.keep_all(Results::of(vec![file]))?;
         }
         if !self.quiet {
-            let json = || soaked.document().map_err(End::internal);
-            print(if self.json { json()? } else { soaked.to_string() })?;
+            print(if self.json { soaked.to_json() } else { soaked.to_string() })?;
         }
         match soaked.found {
             Some(_) => Err(End::Failed(format!("a promise is broken; it is again by: {command}"))),

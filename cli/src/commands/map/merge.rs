@@ -46,7 +46,7 @@ impl Merge {
             error => End::input(error),
         })?;
         let bounds = Bounds::of(survey.grid());
-        let text = document(&survey, bounds.as_ref(), None).map_err(End::internal)?;
+        let text = document(&survey, bounds.as_ref(), None);
         let results = results(&survey, bounds.as_ref(), &text, [&command_line(), MERGED])?;
         folder.fill(results.with_rows(output))?;
         tell(self.json, self.quiet, text, areas(&survey))

@@ -29,7 +29,7 @@ impl Map {
         };
         let refined = Refined::of(run, &watch).map_err(|error| self.ended(error))?;
         bar.finish_and_clear();
-        let text = refined.document().map_err(End::internal)?;
+        let text = refined.to_json();
         if let Some(folder) = folder {
             let bounds = run.install(|| Bounds::of(grid));
             let page = refined.to_html(bounds.as_ref(), &command_line());

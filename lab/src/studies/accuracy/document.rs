@@ -6,6 +6,7 @@ use super::Study;
 use super::reference::Second;
 use super::study::Row;
 use crate::show::csv;
+use crate::show::json;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -86,10 +87,7 @@ impl Line {
 
 impl Study {
     /// The study as JSON, and with a `target` in m the setting that meets it; docs/accuracy.md lists the keys.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn document(&self, target: Option<f64>) -> serde_json::Result<String> {
+    pub fn to_json(&self, target: Option<f64>) -> String {
         let (basis, period) = (&self.basis, self.scene.period());
         let seconds = |ticks: usize| ticks.saturating_sub(1) as f64 * period;
         let ledger = self.ledger.iter().map(|row| LedgerLine {
@@ -129,7 +127,7 @@ impl Study {
             ledger: ledger.collect(),
             target,
         };
-        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+        json::text(&document)
     }
 
     /// The settings as comma-separated values, the fastest first.

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::measure::Limits;
+use crate::show::json;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -19,10 +20,7 @@ struct Document<'a> {
 
 impl Limits {
     /// The limits of the scene called `scene`, as JSON; docs/command.md lists the keys.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
+    pub fn to_json(&self, scene: &str) -> String {
         let document = Document {
             scene,
             stiffness: self.stiffness,
@@ -34,6 +32,6 @@ impl Limits {
             spectral_radius: self.spectral_radius,
             notes: &self.notes,
         };
-        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+        json::text(&document)
     }
 }

@@ -6,6 +6,7 @@ use super::look_at::LookAt;
 use super::score::Score;
 use super::{Broken, Comparison};
 use crate::measure::Yardstick;
+use crate::show::json;
 use crate::simulate::Criterion;
 
 #[derive(Serialize)]
@@ -44,10 +45,7 @@ struct Line<'a> {
 }
 
 /// The comparisons as JSON, and the files that were `left_out` with the reasons; docs/compare.md lists the keys.
-///
-/// # Errors
-/// None: every part can be written as JSON.
-pub fn document(comparisons: &[Comparison], left_out: &[String]) -> serde_json::Result<String> {
+pub fn document(comparisons: &[Comparison], left_out: &[String]) -> String {
     let circumstances = |comparison: &'_ Comparison| {
         let cap = comparison.settings.damping_cap;
         (comparison.scene.environment.surface_stiffness(), cap.is_finite().then_some(cap))
@@ -75,5 +73,5 @@ pub fn document(comparisons: &[Comparison], left_out: &[String]) -> serde_json::
         broken: Broken::of(comparisons),
         left_out,
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    json::text(&document)
 }

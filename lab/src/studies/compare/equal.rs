@@ -2,7 +2,6 @@
 
 use super::column::Column;
 use super::comparison::Outcome;
-use super::entrant_run::Curves;
 use super::score::Score;
 use crate::text::shortened_names;
 
@@ -58,6 +57,10 @@ impl<'a> Equals<'a> {
 /// Points of a curve.
 pub(super) type Points = Vec<(f64, f64)>;
 
+/// The curves of an outcome.
+pub(super) const CURVES: [fn(&Outcome) -> &Points; 3] =
+    [|it| &it.curves.position, |it| &it.curves.observed_energy, |it| &it.curves.force];
+
 /// Curves that differ by less than this share of their range are drawn on the same pixels.
 const THIN: f64 = 1e-3;
 
@@ -78,11 +81,6 @@ fn is_equal(one: &Outcome, other: &Outcome) -> bool {
         !matches!(column, Column::Stabilizer | Column::StepTime | Column::StateBytes)
     };
     let told = |column: Column| column.cell(&one.score).text() == column.cell(&other.score).text();
-    let curves = |curves: &Curves| {
-        let Curves { position, observed_energy, force } = curves.clone();
-        [position, observed_energy, force]
-    };
-    let [one_curves, other_curves] = [one, other].map(|outcome| curves(&outcome.curves));
     Column::ALL.into_iter().filter(behaves).all(told)
-        && one_curves.iter().zip(&other_curves).all(|(one, other)| is_same(one, other))
+        && CURVES.iter().all(|curve| is_same(curve(one), curve(other)))
 }

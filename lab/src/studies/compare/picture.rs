@@ -1,7 +1,7 @@
 //! Figures of all entrants' curves: overlaid, or for many a small panel each. Equal curves are drawn once.
 
 use super::comparison::{Comparison, Outcome};
-use super::equal::{Points, is_same};
+use super::equal::{CURVES, Points, is_same};
 use super::table::Setting;
 use crate::files::Scene;
 use crate::measure::Verdict;
@@ -153,11 +153,9 @@ fn shared<'a>(outcomes: &[&'a Outcome], curves: &[fn(&Outcome) -> &Points]) -> V
 
 /// The outcomes that have a colour each, in every panel and figure of the page: equal ones have one.
 fn colours<'a>(outcomes: &[&'a Outcome]) -> Vec<Shared<'a>> {
-    let all: [fn(&Outcome) -> &Points; 3] =
-        [|it| &it.curves.position, |it| &it.curves.observed_energy, |it| &it.curves.force];
     let mut outcomes = outcomes.to_vec();
     outcomes.sort_by_key(|it| it.number);
-    shared(&outcomes, &all)
+    shared(&outcomes, &CURVES)
 }
 
 impl Drawing<'_> {

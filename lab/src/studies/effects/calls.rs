@@ -147,13 +147,6 @@ fn with(scene: &Draft, effects: Effects) -> Draft {
     Draft { effects, ..scene.clone() }
 }
 
-/// Scene, and the text that identifies it.
-#[derive(Debug)]
-pub(super) struct Call {
-    text: String,
-    pub(super) scene: Scene,
-}
-
 /// Effect, and the indices of the loops without and with it.
 #[derive(Debug)]
 pub(super) struct Effect {
@@ -162,24 +155,23 @@ pub(super) struct Effect {
     pub(super) composed: [usize; 2],
 }
 
+/// The index of the loop without any effect.
+pub(super) const BARE: usize = 0;
+
 /// All loops that are timed, each once, and the effects computed from them.
 #[derive(Debug)]
 pub(super) struct Calls {
-    pub(super) all: Vec<Call>,
+    /// The first has none of the effects.
+    pub(super) all: Vec<Scene>,
     pub(super) effects: Vec<Effect>,
-    pub(super) bare: usize,
 }
 
 impl Calls {
     pub(super) fn new() -> Result<Self, CostsError> {
-        let mut calls = Self { all: Vec::new(), effects: Vec::new(), bare: 0 };
-        let walled = format!("{START}{WALL}");
-        calls.bare = calls.place(&walled, &[])?;
+        let mut calls = Self { all: Vec::new(), effects: Vec::new() };
+        calls.place(&format!("{START}{WALL}"), &[])?;
         for (name, table) in TOGETHER {
-            let alone = [calls.bare, calls.place(&walled, &[table])?];
-            let composed =
-                [calls.place(&walled, &without(&[name]))?, calls.place(&walled, &without(&[]))?];
-            calls.effects.push(Effect { name, alone, composed });
+            calls.joins((name, table), &without(&[name]))?;
         }
         for (name, table, instead) in OTHERS {
             calls.joins((name, table), &without(&[instead]))?;
@@ -200,9 +192,9 @@ impl Calls {
     pub(super) fn of(scene: &Scene) -> Result<Self, CostsError> {
         let whole = scene.to_draft();
         let bare = NAMED.iter().fold(whole.clone(), |bare, (_, clear)| clear(bare));
-        let mut calls = Self { all: Vec::new(), effects: Vec::new(), bare: 0 };
-        calls.bare = calls.seat(&bare)?;
-        let all = calls.seat(&whole)?;
+        let mut calls = Self { all: Vec::new(), effects: Vec::new() };
+        calls.seat(bare.check()?);
+        let all = calls.seat(whole.clone().check()?);
         for (name, clear) in NAMED {
             let without = clear(whole.clone());
             if without == whole {
@@ -210,16 +202,16 @@ impl Calls {
             }
             let others = NAMED.iter().filter(|(other, _)| other != name);
             let only = others.fold(whole.clone(), |only, (_, clear)| clear(only));
-            let alone = [calls.bare, calls.seat(&only)?];
-            let composed = [calls.seat(&without)?, all];
+            let alone = [BARE, calls.seat(only.check()?)];
+            let composed = [calls.seat(without.check()?), all];
             calls.effects.push(Effect { name, alone, composed });
         }
         Ok(calls)
     }
 
     /// The loops on a line, which lanes can run, and the effects that they tell: those in a space come last.
-    pub(super) fn on_a_line(&self) -> (&[Call], impl Iterator<Item = &Effect>) {
-        let in_space = |call: &Call| call.scene.dimensions() > 1;
+    pub(super) fn on_a_line(&self) -> (&[Scene], impl Iterator<Item = &Effect>) {
+        let in_space = |scene: &Scene| scene.dimensions() > 1;
         let line = self.all.iter().position(in_space).unwrap_or(self.all.len());
         let told = move |it: &&Effect| it.alone.iter().chain(&it.composed).all(|at| *at < line);
         (&self.all[..line], self.effects.iter().filter(told))
@@ -230,14 +222,12 @@ impl Calls {
         (timing::ROUNDS + 1) * (self.all.len() + self.on_a_line().0.len())
     }
 
-    /// The index of the loop of `draft`; adds the loop if it is not there.
-    fn seat(&mut self, draft: &Draft) -> Result<usize, CostsError> {
-        let scene = draft.clone().check()?;
-        if let Some(place) = self.all.iter().position(|call| call.scene == scene) {
-            return Ok(place);
-        }
-        self.all.push(Call { text: String::new(), scene });
-        Ok(self.all.len() - 1)
+    /// The index of the loop of `scene`; adds the loop if it is not there.
+    fn seat(&mut self, scene: Scene) -> usize {
+        self.all.iter().position(|seated| *seated == scene).unwrap_or_else(|| {
+            self.all.push(scene);
+            self.all.len() - 1
+        })
     }
 
     /// Adds an effect that joins `others`.
@@ -248,7 +238,7 @@ impl Calls {
     ) -> Result<(), CostsError> {
         let walled = format!("{START}{WALL}");
         let all: Vec<&str> = others.iter().copied().chain([table]).collect();
-        let alone = [self.bare, self.place(&walled, &[table])?];
+        let alone = [BARE, self.place(&walled, &[table])?];
         let composed = [self.place(&walled, others)?, self.place(&walled, &all)?];
         self.effects.push(Effect { name, alone, composed });
         Ok(())
@@ -257,7 +247,7 @@ impl Calls {
     /// Adds an effect that replaces the wall: its cost is the difference to the wall's.
     fn stands_for_the_wall(&mut self, name: &'static str, world: &str) -> Result<(), CostsError> {
         let (walled, others) = (format!("{START}{WALL}"), without(&[]));
-        let alone = [self.bare, self.place(world, &[])?];
+        let alone = [BARE, self.place(world, &[])?];
         let composed = [self.place(&walled, &others)?, self.place(world, &others)?];
         self.effects.push(Effect { name, alone, composed });
         Ok(())
@@ -266,12 +256,7 @@ impl Calls {
     /// The index of the loop in `world` with `tables`; adds the loop if it is not there.
     fn place(&mut self, world: &str, tables: &[&str]) -> Result<usize, CostsError> {
         let text = format!("{LOOP}{world}{}\n", tables.join("\n"));
-        if let Some(place) = self.all.iter().position(|call| call.text == text) {
-            return Ok(place);
-        }
-        let scene = Scene::parse(&text, "a scene of the costs")?;
-        self.all.push(Call { text, scene });
-        Ok(self.all.len() - 1)
+        Ok(self.seat(Scene::parse(&text, "a scene of the costs")?))
     }
 }
 
@@ -305,7 +290,7 @@ mod tests {
             calls.effects.len(),
             TOGETHER.len() + LONG.len() + OTHERS.len() + ENVIRONMENTS.len() + SPACES.len()
         );
-        let names = |at: usize| calls.all[at].scene.effects;
+        let names = |at: usize| calls.all[at].effects;
         let encoder = &calls.effects[0];
         let [without, with] = encoder.composed.map(names);
         assert!(without.encoder.is_none() && with.encoder.is_some());

@@ -15,8 +15,9 @@ use serde::Serialize;
 use crate::files::Scene;
 use crate::files::scene::{Conflict, Diagnostic};
 use crate::measure::timing::Rounds;
+use crate::show::json;
 use crate::simulate::{F64x8, Instructions};
-use calls::{Calls, Effect};
+use calls::{BARE, Calls, Effect};
 
 /// The costs of all effects, in nanoseconds per step on this machine; docs/effects/costs.md explains how to read
 /// them.
@@ -95,13 +96,12 @@ impl Costs {
     ) -> Result<Self, CostsError> {
         let (base, best) = (Instructions::Base, Instructions::best());
         let one = timing::alone(&calls.all, base, watch)?;
-        let mut scalars =
-            vec![Column::of(("f64", 1, base), (calls.bare, &one), calls.effects.iter())];
+        let mut scalars = vec![Column::of(("f64", 1, base), (BARE, &one), calls.effects.iter())];
         let (on_a_line, effects) = calls.on_a_line();
         if !on_a_line.is_empty() {
             let eight = timing::on_lanes(on_a_line, best, watch)?;
             let lanes = ("f64x8", F64x8::LANES, best);
-            scalars.push(Column::of(lanes, (calls.bare, &eight), effects));
+            scalars.push(Column::of(lanes, (BARE, &eight), effects));
         }
         Ok(Self {
             scene,
@@ -129,11 +129,8 @@ impl Costs {
     }
 
     /// The costs as JSON.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn document(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(self).map(|text| text + "\n")
+    pub fn to_json(&self) -> String {
+        json::text(self)
     }
 }
 

@@ -6,6 +6,7 @@ use serde_json::{Map, Value};
 use super::hint::broken;
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::measure::{Balance, Oddity, Verdict, Yardstick};
+use crate::show::json;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -43,10 +44,7 @@ struct Tried {
 
 impl Explanation {
     /// The explanation of the scene called `scene`, as JSON; docs/explain.md lists the keys.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn to_json(&self, scene: &str) -> serde_json::Result<String> {
+    pub fn to_json(&self, scene: &str) -> String {
         let broken = broken(&self.limits).into_iter();
         let document = Document {
             scene,
@@ -62,7 +60,7 @@ impl Explanation {
             no_remedies: self.lack(),
             look_at: &self.look_at,
         };
-        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+        json::text(&document)
     }
 }
 

@@ -32,6 +32,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::show::csv::{self, Field};
+use crate::show::json;
 use crate::simulate::family::StabilizerName;
 
 /// Results of the whole catalogue: `hard.json`.
@@ -96,11 +97,8 @@ impl Catalogue {
     }
 
     /// The results as JSON.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn document(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(self).map(|text| text + "\n")
+    pub fn to_json(&self) -> String {
+        json::text(self)
     }
 }
 

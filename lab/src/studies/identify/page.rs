@@ -6,6 +6,7 @@ use super::Identified;
 use crate::show::beside::beside;
 use crate::show::csv::{self, Field};
 use crate::show::html;
+use crate::show::json;
 use crate::show::labelled::labelled;
 
 impl Identified {
@@ -44,12 +45,9 @@ impl Identified {
     }
 
     /// Report and scene as JSON.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn to_json(&self) -> serde_json::Result<String> {
-        let mut value = serde_json::to_value(&self.report)?;
+    pub fn to_json(&self) -> String {
+        let mut value = serde_json::to_value(&self.report).unwrap_or_default();
         value["scene"] = self.scene.as_str().into();
-        serde_json::to_string_pretty(&value).map(|text| text + "\n")
+        json::text(&value)
     }
 }

@@ -10,6 +10,7 @@ use super::run::Run;
 use super::survey::Survey;
 use super::workload::Workload;
 use crate::measure::{Oddity, Verdict};
+use crate::show::json;
 use crate::simulate::F64x8;
 use crate::simulate::family::{Judgement, StabilizerName};
 
@@ -104,14 +105,11 @@ pub(super) fn along(axis: &Axis) -> Along<'_> {
 }
 
 /// The map as JSON; docs/map.md explains its keys.
-///
-/// # Errors
-/// None: every part can be written as JSON.
 pub fn document(
     survey: &Survey,
     bounds: Option<&Bounds>,
     computation: Option<&Computation>,
-) -> serde_json::Result<String> {
+) -> String {
     let (grid, ranking) = (survey.grid(), survey.ranking());
     let line = |(index, member): (usize, &StabilizerName)| {
         let (settling, bounded) = (survey.settling(index), survey.bounded(index));
@@ -156,5 +154,5 @@ pub fn document(
         areas: grid.stabilizers.iter().enumerate().map(line).collect(),
         look_at: survey.look_at().into_iter().collect(),
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    json::text(&document)
 }

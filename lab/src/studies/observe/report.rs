@@ -9,6 +9,7 @@ use super::replay::Replay;
 use super::step::Gaps;
 use crate::files::log::{BadRows, Column};
 use crate::measure::Oddity;
+use crate::show::json;
 
 /// Report on a log, in SI units; `Display` formats it for the terminal.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -54,6 +55,13 @@ pub struct Report {
     /// What stabilizers would have done; none where nobody was asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replay: Option<Replay>,
+}
+
+impl Report {
+    /// The report as JSON; docs/observe.md lists its keys.
+    pub fn to_json(&self) -> String {
+        json::text(self)
+    }
 }
 
 /// Energy over the port, by held work.

@@ -92,8 +92,6 @@ pub enum PaperError {
     Parameter(ParameterError),
     /// A member of the ensemble is no scene.
     Draw(Conflict),
-    /// The claims could not be written as JSON.
-    Json(serde_json::Error),
 }
 
 macro_rules! causes {
@@ -115,6 +113,6 @@ macro_rules! causes {
     };
 }
 
-causes!(Scene(Diagnostic), Parameter(ParameterError), Draw(Conflict), Json(serde_json::Error));
+causes!(Scene(Diagnostic), Parameter(ParameterError), Draw(Conflict));
 
 impl std::error::Error for PaperError {}

@@ -11,6 +11,7 @@ use super::claims::{
 };
 use super::figures::PaperFigure;
 use super::report::Report;
+use crate::show::json;
 use crate::show::table::{Cell, Heading, Table};
 
 /// Ensemble that the verdicts rest on.
@@ -52,20 +53,17 @@ impl Study {
     /// The number of calls of `tell` in [`Study::run`].
     pub const STAGES: usize = 2 * Runs::LOOPS;
 
-    /// Computes everything; calls `tell` before each part of the work, which may stop the study.
+    /// Computes everything; calls `tell` before each part of the work.
     ///
     /// # Errors
-    /// The error of `tell`, or a number that a part rejects.
-    pub fn run<E: From<PaperError>>(
-        draws: Draws,
-        mut tell: impl FnMut() -> Result<(), E>,
-    ) -> Result<Self, E> {
+    /// A number that a part rejects.
+    pub fn run(draws: Draws, mut tell: impl FnMut()) -> Result<Self, PaperError> {
         let members = Member::draw(draws.seed, draws.count)?;
         let paper = [Member::of_the_paper()?];
         let (mut runs, mut single) = (Vec::new(), Vec::new());
         for steps in [Steps::Printed, Steps::Ours] {
             runs.push(Runs::of(steps, &members, &mut tell)?);
-            single.extend(Runs::of(steps, &paper, || Ok::<(), PaperError>(()))?);
+            single.extend(Runs::of(steps, &paper, || ())?);
         }
         let (runs, single) = ([&runs[0][..], &runs[1]], [single[0], single[1]]);
         let balance = |control, wall| Balance::of(control, &paper[0], wall);
@@ -86,13 +84,8 @@ impl Study {
     }
 
     /// The text of `claims.json`.
-    ///
-    /// # Errors
-    /// None known: every number is finite or absent.
-    pub fn to_json(&self) -> Result<String, PaperError> {
-        let rows = Rows { draws: self.draws, rows: &self.claims };
-        let text = serde_json::to_string_pretty(&rows);
-        Ok(text.map_err(PaperError::Json)? + "\n")
+    pub fn to_json(&self) -> String {
+        json::text(&Rows { draws: self.draws, rows: &self.claims })
     }
 
     /// The report with these `figures`, in HTML; `command` is the command that it names as its maker.

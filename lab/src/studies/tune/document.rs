@@ -6,6 +6,8 @@ use serde_json::{Map, Value};
 use super::setting::Setting;
 use super::study::{Tuned, Tuning};
 use super::trial::Trial;
+use crate::show::json;
+use crate::simulate::ensemble::Moves;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -14,16 +16,8 @@ struct Document<'a> {
     seed: u64,
     settings: u32,
     runs_of_each: u32,
-    moved: Moved,
+    moved: Moves,
     stabilizers: Vec<Entry>,
-}
-
-#[derive(Serialize)]
-struct Moved {
-    phase: f64,
-    mass: f64,
-    damping: f64,
-    stiffness: f64,
 }
 
 #[derive(Serialize)]
@@ -60,11 +54,7 @@ impl Judged {
 }
 
 /// The results of `tuning` on the scene called `scene`, as JSON; docs/tune.md lists the keys.
-///
-/// # Errors
-/// None: every part can be written as JSON.
-pub fn document(scene: &str, tuning: &Tuning, tuned: &[Tuned]) -> serde_json::Result<String> {
-    let moves = tuning.moves;
+pub fn document(scene: &str, tuning: &Tuning, tuned: &[Tuned]) -> String {
     let entry = |one: &Tuned| Entry {
         stabilizer: one.name.name(),
         default: Judged::of(&one.settings[0], &one.judged[0]),
@@ -78,13 +68,8 @@ pub fn document(scene: &str, tuning: &Tuning, tuned: &[Tuned]) -> serde_json::Re
         seed: tuning.seed,
         settings: tuning.trials + 1,
         runs_of_each: tuning.runs,
-        moved: Moved {
-            phase: moves.phase,
-            mass: moves.mass,
-            damping: moves.damping,
-            stiffness: moves.stiffness,
-        },
+        moved: tuning.moves,
         stabilizers: tuned.iter().map(entry).collect(),
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    json::text(&document)
 }

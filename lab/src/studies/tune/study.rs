@@ -248,13 +248,11 @@ impl Tuned {
 
     /// The best of `all` with which every judged run stayed bounded, else the one with the most bounded runs.
     pub fn best(all: &[Self]) -> Option<&Self> {
-        let mut best: Option<&Self> = None;
-        for one in all {
-            if best.is_none_or(|best| one.judged[1].is_better_than(&best.judged[1])) {
-                best = Some(one);
-            }
-        }
-        best
+        all.iter().reduce(
+            |best, one| {
+                if one.judged[1].is_better_than(&best.judged[1]) { one } else { best }
+            },
+        )
     }
 
     /// The others of `all` whose judged runs are not worse than this one's by more than chance explains.

@@ -72,7 +72,7 @@ impl Compared for Comparison {
         }
     }
 
-    fn document(comparisons: &[Self], left_out: &[String]) -> serde_json::Result<String> {
+    fn document(comparisons: &[Self], left_out: &[String]) -> String {
         document::of(comparisons, left_out)
     }
 

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::comparison::Comparison;
 use crate::measure::models::{BAND, BOUND, Score};
+use crate::show::json;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -39,7 +40,7 @@ struct Line<'a> {
 }
 
 /// The comparisons as JSON, and the files that were `left_out` with the reasons; docs/any-plant.md lists the keys.
-pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> serde_json::Result<String> {
+pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> String {
     let models = comparisons.iter().map(|Comparison { name, model, began, .. }| {
         let (plant, cap) = (&model.plant, model.stabilizer.damping_cap.get());
         Circumstances {
@@ -62,5 +63,5 @@ pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> serde_json:
         rows: rows.collect(),
         left_out,
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    json::text(&document)
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::comparison::Comparison;
 use crate::files::scene::Seed;
 use crate::measure::teleoperation::{BAND, BOUND, Score};
+use crate::show::json;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -49,7 +50,7 @@ struct Line<'a> {
 }
 
 /// The comparisons as JSON, and the files that were `left_out` with the reasons; docs/teleoperation.md lists the keys.
-pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> serde_json::Result<String> {
+pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> String {
     let teleoperators = comparisons.iter().map(|Comparison { name, file, .. }| {
         let (cap, layers) = (file.stabilizer.damping_cap.get(), file.layers());
         Circumstances {
@@ -79,5 +80,5 @@ pub(super) fn of(comparisons: &[Comparison], left_out: &[String]) -> serde_json:
         rows: rows.collect(),
         left_out,
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    json::text(&document)
 }

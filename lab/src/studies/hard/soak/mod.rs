@@ -22,6 +22,7 @@ use serde::{Serialize, Serializer};
 
 use self::draw::Draw;
 use crate::files::Scene;
+use crate::show::json;
 use crate::simulate::family::{BasicName, StabilizerName};
 
 /// Cases that run side by side, and between two reports.
@@ -116,11 +117,8 @@ impl Soak {
 
 impl Soaked {
     /// The results as JSON.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn document(&self) -> serde_json::Result<String> {
-        serde_json::to_string_pretty(self).map(|text| text + "\n")
+    pub fn to_json(&self) -> String {
+        json::text(self)
     }
 }
 

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::{Edge, Refined, Side};
 use crate::show::csv::{self, Field};
+use crate::show::json;
 use crate::studies::map::document::{Along, along};
 
 #[derive(Serialize)]
@@ -53,14 +54,11 @@ impl Line {
 
 impl Refined {
     /// The edges as JSON; docs/map.md lists the keys.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn document(&self) -> serde_json::Result<String> {
+    pub fn to_json(&self) -> String {
         let grid = self.grid();
         let lines = self.edges().map(|(member, edge)| Line::of(member.name(), edge, grid.cells()));
         let document = Document { x: along(&grid.x), y: along(&grid.y), edges: lines.collect() };
-        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+        json::text(&document)
     }
 
     /// The judged cells as comma-separated values, by stabilizer and in the order of the cells.

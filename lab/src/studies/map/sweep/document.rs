@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::Sweep;
 use crate::show::csv::{self, Field};
+use crate::show::json;
 use crate::studies::compare::{Column, Score, field};
 use crate::studies::map::document::{Along, along};
 
@@ -23,13 +24,10 @@ struct Line<'a> {
 
 impl Sweep {
     /// The sweep as JSON; docs/map.md lists the keys.
-    ///
-    /// # Errors
-    /// None: every part can be written as JSON.
-    pub fn document(&self) -> serde_json::Result<String> {
+    pub fn to_json(&self) -> String {
         let rows = self.rows().map(|(value, score)| Line { value, score }).collect();
         let document = Document { scene: &self.name, x: along(&self.x), rows };
-        serde_json::to_string_pretty(&document).map(|text| text + "\n")
+        json::text(&document)
     }
 
     /// The same rows as comma-separated values, in numbers that read back exactly.

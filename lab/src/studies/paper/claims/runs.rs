@@ -38,12 +38,12 @@ impl Runs {
     /// The runs of each member, in order; calls `tell` before each of [`Runs::LOOPS`].
     ///
     /// # Errors
-    /// The error of `tell`, or a number that a part rejects.
-    pub fn of<E: From<PaperError>>(
+    /// A number that a part rejects.
+    pub fn of(
         steps: Steps,
         members: &[Member],
-        mut tell: impl FnMut() -> Result<(), E>,
-    ) -> Result<Vec<Self>, E> {
+        mut tell: impl FnMut(),
+    ) -> Result<Vec<Self>, PaperError> {
         let mut all = vec![Self::default(); members.len()];
         type Place = fn(&mut Runs) -> &mut Measures;
         let loops: [(Control, [f64; 2], Place); 6] = [
@@ -55,9 +55,8 @@ impl Runs {
             (Control::Lolc, STIFF, |runs| &mut runs.stiff_lolc),
         ];
         for (control, wall, place) in loops {
-            tell()?;
-            let measures = measured(Loop { control, steps }, &Run::each(members, wall));
-            let measures = measures.map_err(PaperError::from)?;
+            tell();
+            let measures = measured(Loop { control, steps }, &Run::each(members, wall))?;
             all.iter_mut().zip(measures).for_each(|(runs, it)| *place(runs) = it);
         }
         type Count = fn(&mut Runs) -> &mut Option<usize>;
@@ -69,8 +68,8 @@ impl Runs {
         let walls = members.iter().flat_map(|member| member.walls.iter().map(own(member)));
         let walls: Vec<Run<'_>> = walls.collect();
         for (control, place) in counts {
-            tell()?;
-            let measures = measured(Loop { control, steps }, &walls).map_err(PaperError::from)?;
+            tell();
+            let measures = measured(Loop { control, steps }, &walls)?;
             for (runs, measures) in all.iter_mut().zip(measures.chunks(WALLS)) {
                 let settled = measures.iter().filter(|run| run.settled.is_some());
                 *place(runs) = Some(settled.count());

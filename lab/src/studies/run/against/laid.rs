@@ -137,10 +137,7 @@ impl Laid {
     }
 
     /// The summary of the run of the scene called `name` as JSON, with this under `against`.
-    ///
-    /// # Errors
-    /// As [`Summary::to_json`].
-    pub fn to_json(&self, name: &str, summary: &Summary) -> serde_json::Result<String> {
+    pub fn to_json(&self, name: &str, summary: &Summary) -> String {
         summary.to_json_against(name, Some(self))
     }
 
