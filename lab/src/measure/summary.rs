@@ -53,7 +53,9 @@ pub struct Summary {
     /// Ticks on which the controller was active.
     pub active: u64,
     signs: RunSigns,
-    axes: [Axis; 3],
+    /// The true position, m, and the force applied to the plant, N, of the last tick.
+    place: [f64; 3],
+    acting: [f64; 3],
 }
 
 impl Summary {
@@ -90,7 +92,8 @@ impl Summary {
             shortfall: 0.0,
             active: 0,
             signs: RunSigns::new(scene),
-            axes: Default::default(),
+            place: [0.0; 3],
+            acting: [0.0; 3],
         }
     }
 
@@ -116,10 +119,11 @@ impl Summary {
 
     /// Adds one more tick.
     pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
-        let (row, axes) = (Row::of(tick), Axis::of(tick));
+        let row = Row::of(tick);
+        let [place, acting] = [tick.truth.position, tick.applied].map(V::axes);
         if self.last.is_some() {
-            for (last, axis) in self.axes.iter().zip(&axes) {
-                self.absorbed = sum(self.absorbed, last.f_act, axis.x - last.x);
+            for ((force, to), from) in self.acting.into_iter().zip(place).zip(self.place) {
+                self.absorbed = sum(self.absorbed, force, to - from);
             }
         }
         self.fate.add_tick(tick);
@@ -137,21 +141,22 @@ impl Summary {
         }
         self.settling.add(coordinate);
         self.settled = self.settling.since(0).and(self.settled.or(Some(row.t)));
-        let is_still = (0..V::DIMENSIONS).all(|axis| tick.truth.velocity.axis(axis) == 0.0);
+        let is_still = tick.truth.velocity.axes() == [0.0; 3];
         self.still = is_still.then(|| self.still.unwrap_or(row.t));
-        let size = |forces: [f64; 3]| forces.into_iter().fold(0.0, f64::hypot);
-        self.environment_peak = self.environment_peak.max(size(axes.map(|axis| axis.f_env)));
-        self.acting_peak = self.acting_peak.max(size(axes.map(|axis| axis.f_act)));
+        self.environment_peak = self.environment_peak.max(tick.environment.length());
+        self.acting_peak = self.acting_peak.max(tick.applied.length());
         self.observed_energy_least = self.observed_energy_least.min(row.observed_energy);
         self.observed_energy_most = self.observed_energy_most.max(row.observed_energy);
-        for axis in &axes {
-            self.asked = sum(self.asked, axis.f_ctl, axis.v * self.scene.period());
+        let velocity = tick.measured.velocity.axes();
+        for (force, speed) in tick.control().axes().into_iter().zip(velocity) {
+            self.asked = sum(self.asked, force, speed * self.scene.period());
         }
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);
         self.rows += 1;
         self.last = Some(row);
-        self.axes = axes;
+        self.place = place;
+        self.acting = acting;
     }
 
     /// The verdict on the run.
@@ -198,34 +203,6 @@ impl Summary {
 fn rest_of(rest: Option<(f64, f64)>) -> Settling<f64> {
     let (rest, band) = rest.unwrap_or((0.0, -1.0));
     Settling::new(rest, band)
-}
-
-/// A tick along one axis.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Axis {
-    x: f64,
-    v: f64,
-    f_env: f64,
-    f_ctl: f64,
-    f_act: f64,
-}
-
-impl Axis {
-    /// `tick` along each axis; all 0 along axes that the scene does not have.
-    fn of<V: Space>(tick: &Tick<V>) -> [Self; 3] {
-        let control = tick.control();
-        let mut axes = [Self::default(); 3];
-        for (index, axis) in axes.iter_mut().enumerate().take(V::DIMENSIONS) {
-            *axis = Self {
-                x: tick.truth.position.axis(index),
-                v: tick.measured.velocity.axis(index),
-                f_env: tick.environment.axis(index),
-                f_ctl: control.axis(index),
-                f_act: tick.applied.axis(index),
-            };
-        }
-        axes
-    }
 }
 
 /// A sum of work with one more piece; once infinite it stays so, and it is never NaN.
