@@ -90,8 +90,9 @@ impl Measure {
 }
 
 impl Measures {
-    /// Measures from the numbers in the order of [`Measure::ALL`].
+    /// Measures from the numbers in the order of [`Measure::ALL`], without those that are out of range.
     pub(crate) fn from_numbers(numbers: [Option<f64>; COUNT]) -> Self {
+        let told = |number: f64| number.is_finite().then_some(number + 0.0);
         let [
             peak_force,
             settling_time,
@@ -100,7 +101,7 @@ impl Measures {
             active,
             chatter,
             physical @ ..,
-        ] = numbers;
+        ] = numbers.map(|number| number.and_then(told));
         let [energy_given, energy_given_beyond_damper, force_felt, stiffness_felt] = physical;
         Self {
             peak_force,
@@ -114,7 +115,6 @@ impl Measures {
             force_felt,
             stiffness_felt,
         }
-        .in_range()
     }
 
     /// Whether a run with this verdict may have these measures.
@@ -127,19 +127,6 @@ impl Measures {
 
     /// The measures without numbers that are out of range.
     pub(crate) fn in_range(self) -> Self {
-        let told =
-            |value: Option<f64>| value.filter(|value| value.is_finite()).map(|value| value + 0.0);
-        Self {
-            peak_force: told(self.peak_force),
-            settling_time: told(self.settling_time),
-            energy_injected: told(self.energy_injected),
-            energy_taken: told(self.energy_taken),
-            active: told(self.active),
-            chatter: told(self.chatter),
-            energy_given: told(self.energy_given),
-            energy_given_beyond_damper: told(self.energy_given_beyond_damper),
-            force_felt: told(self.force_felt),
-            stiffness_felt: told(self.stiffness_felt),
-        }
+        Self::from_numbers(Measure::ALL.map(|it| it.of(&self)))
     }
 }
