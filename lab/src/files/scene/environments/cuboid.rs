@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::kind::{EnvironmentKind, Face, InSpace, Number, damped, spring_and_damper};
+use super::kind::{EnvironmentKind, Face, InSpace, spring_and_damper};
 use crate::files::scene::book::{Key, key};
 use crate::files::scene::coordinates::Coordinates;
 use crate::files::scene::quantity::{Finite, NonNegative, Positive, of};
@@ -59,10 +59,6 @@ impl EnvironmentKind for Cuboid {
     fn vectors(&self) -> Vec<(&'static str, usize)> {
         vec![("center", self.center.len()), ("half", self.half.len())]
     }
-
-    fn words(&self, number: Number) -> String {
-        damped(number, self.stiffness, self.damping)
-    }
 }
 
 impl InSpace for Cuboid {
@@ -72,9 +68,5 @@ impl InSpace for Cuboid {
         let half = |axis: usize| self.half.get(axis).map_or(T::zero(), |half| of(*half));
         let half = SVector::from_fn(|axis, _| half(axis));
         lyapunov::environments::Cuboid::new(self.center.vector::<T, N>(), half)
-    }
-
-    fn touch(&self) -> (NonNegative, NonNegative) {
-        (self.stiffness, self.damping)
     }
 }

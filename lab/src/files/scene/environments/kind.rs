@@ -11,7 +11,7 @@ use nalgebra::SVector;
 
 use super::render::Render;
 use crate::files::scene::check::Conflict;
-use crate::files::scene::quantity::{Finite, NonNegative, of};
+use crate::files::scene::quantity::{Finite, NonNegative};
 use crate::files::scene::{Coordinates, Draft, Lanes};
 
 /// A function that formats a number.
@@ -75,7 +75,10 @@ pub(crate) trait EnvironmentKind: fmt::Debug {
     }
 
     /// A description in one line, without its name.
-    fn words(&self, number: Number) -> String;
+    fn words(&self, number: Number) -> String {
+        let damped = |it: Impedance<f64>| damped(number, it.stiffness, it.damping);
+        self.impedance().map_or_else(String::new, damped)
+    }
 }
 
 /// A face square to an axis.
@@ -108,16 +111,13 @@ pub(super) trait InSpace: EnvironmentKind {
         &self,
     ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError>;
 
-    /// The stiffness, N/m, and the damping, N·s/m, at its surface.
-    fn touch(&self) -> (NonNegative, NonNegative);
-
     /// The result of `to` for the library's environment.
     fn make<T: Scalar, const N: usize, R: Render<SVector<T, N>>>(
         &self,
         to: R,
     ) -> Result<R::Made, ParameterError> {
-        let (stiffness, damping) = self.touch();
-        let contact = Contact::with(self.solid::<T, N>()?, of(stiffness), of(damping))?;
+        let touch = self.impedance().map_or((0.0, 0.0), |it| (it.stiffness, it.damping));
+        let contact = Contact::with(self.solid::<T, N>()?, T::of(touch.0), T::of(touch.1))?;
         to.render(contact, contact.dissipation())
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::kind::{EnvironmentKind, InSpace, Number, damped, spring_and_damper};
+use super::kind::{EnvironmentKind, InSpace, spring_and_damper};
 use crate::files::scene::book::{Key, key};
 use crate::files::scene::check::Conflict;
 use crate::files::scene::coordinates::Coordinates;
@@ -63,10 +63,6 @@ impl EnvironmentKind for Plane {
             "give the direction out of the solid, for example [0.0, 1.0]",
         ))
     }
-
-    fn words(&self, number: Number) -> String {
-        damped(number, self.stiffness, self.damping)
-    }
 }
 
 impl InSpace for Plane {
@@ -74,9 +70,5 @@ impl InSpace for Plane {
         &self,
     ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError> {
         lyapunov::environments::Plane::new(self.point.vector::<T, N>(), self.normal.vector())
-    }
-
-    fn touch(&self) -> (NonNegative, NonNegative) {
-        (self.stiffness, self.damping)
     }
 }

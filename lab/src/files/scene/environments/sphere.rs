@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::kind::{EnvironmentKind, InSpace, Number, damped, spring_and_damper};
+use super::kind::{EnvironmentKind, InSpace, spring_and_damper};
 use crate::files::scene::book::{Key, key};
 use crate::files::scene::coordinates::Coordinates;
 use crate::files::scene::quantity::{Finite, NonNegative, Positive, of};
@@ -46,10 +46,6 @@ impl EnvironmentKind for Sphere {
     fn vectors(&self) -> Vec<(&'static str, usize)> {
         vec![("center", self.center.len())]
     }
-
-    fn words(&self, number: Number) -> String {
-        damped(number, self.stiffness, self.damping)
-    }
 }
 
 impl InSpace for Sphere {
@@ -57,9 +53,5 @@ impl InSpace for Sphere {
         &self,
     ) -> Result<impl Solid<SVector<T, N>> + Copy + 'static, ParameterError> {
         lyapunov::environments::Sphere::new(self.center.vector::<T, N>(), of(self.radius))
-    }
-
-    fn touch(&self) -> (NonNegative, NonNegative) {
-        (self.stiffness, self.damping)
     }
 }

@@ -4,9 +4,7 @@ use lyapunov::{ParameterError, Scalar, bodies::Impedance};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::kind::{
-    EnvironmentKind, Number, OnALine, Rates, StaticSpring, damped, spring_and_damper,
-};
+use super::kind::{EnvironmentKind, OnALine, Rates, StaticSpring, spring_and_damper};
 use super::render::Render;
 use crate::files::scene::Lanes;
 use crate::files::scene::book::{Key, key};
@@ -51,10 +49,6 @@ impl EnvironmentKind for Wall {
 
     fn static_spring(&self) -> Option<StaticSpring> {
         Some(StaticSpring::new(self.stiffness, self.position))
-    }
-
-    fn words(&self, number: Number) -> String {
-        damped(number, self.stiffness, self.damping)
     }
 }
 
