@@ -122,12 +122,11 @@ impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.write_scene(f)?;
         if let Some(time) = self.left_range() {
-            let scalar = if self.scene.scalar == Scalar::F32 { "f32" } else { "f64" };
             match self.rows {
                 0 => write!(f, "\n  cut short    at t = 0 s, before the first row")?,
                 _ => write!(f, "\n  cut short    after t = {} s", given(time))?,
             }
-            write!(f, ": the motion left the range of {scalar}")?;
+            write!(f, ": the motion left the range of {}", self.scene.scalar.name())?;
         }
         write!(f, "\n{}", folded("  verdict      ", &self.verdict_in_words()))?;
         write!(

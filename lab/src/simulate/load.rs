@@ -8,7 +8,7 @@ use super::building::{Assembly, in_space};
 use super::{models, teleoperation};
 use crate::files::models::{self as model_files, Model};
 use crate::files::scene::{
-    self, Basis, Conflict, Diagnostic, Draft, Keys, MODEL, Open, Scalar, Scene, TELEOPERATOR,
+    self, Basis, Conflict, Diagnostic, Draft, Keys, MODEL, Open, Scene, TELEOPERATOR,
 };
 use crate::files::teleoperation::{self as teleoperator_files, Teleoperator};
 use crate::text::names::Named;
@@ -28,7 +28,7 @@ impl Draft {
         let built = in_space!(scene, Axes => Assembly::<Axes>::of(&scene).map(drop));
         match built {
             Ok(()) => Ok(scene),
-            Err(error) => Err(scene.out_of_range(&error, name(scene.scalar))),
+            Err(error) => Err(scene.out_of_range(&error, scene.scalar.name())),
         }
     }
 }
@@ -174,7 +174,8 @@ impl Teleoperator {
             self.check_impedance()?;
         }
         entrants.iter().copied().try_for_each(|entrant| {
-            teleoperation::rig::build(self, entrant).map_err(|refused| self.refusal(refused))
+            let built = teleoperation::rig::build(self, entrant);
+            built.map_err(|refused| Conflict::beyond(self.scalar, refused))
         })
     }
 }
@@ -206,13 +207,5 @@ impl Subject {
         } else {
             parse_at(&text, path).map(|scene| Self::Scene(Box::new(scene)))
         }
-    }
-}
-
-/// The scalar's name in messages.
-fn name(scalar: Scalar) -> &'static str {
-    match scalar {
-        Scalar::F64 => "f64",
-        Scalar::F32 => "f32",
     }
 }

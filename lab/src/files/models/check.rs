@@ -1,10 +1,10 @@
 //! The rules between the values of a model.
 
-use lyapunov::{ParameterError, Requirement};
+use lyapunov::Requirement;
 
 use super::model::Model;
 use super::plant::Plant;
-use crate::files::scene::{Conflict, Scalar, check_single, check_ticks};
+use crate::files::scene::{Conflict, Refused, Scalar, check_single, check_ticks};
 use crate::text::found;
 
 /// The most that a number loses where it is shown with four digits, as a share.
@@ -60,8 +60,7 @@ impl Model {
     }
 
     /// The conflict at `key` for a parameter that a block of the loop rejected.
-    pub(crate) fn refusal(&self, (key, error): (&'static str, ParameterError)) -> Conflict {
-        let scalar = if self.scalar == Scalar::F32 { "f32" } else { "f64" };
+    pub(crate) fn refusal(&self, (key, error): Refused) -> Conflict {
         if key == "controller.proportional" {
             let remedy = match (&self.plant, error.requirement) {
                 (Plant::InvertedPendulum(_), Requirement::AtLeast(least)) => {
@@ -88,11 +87,7 @@ impl Model {
                 format!("with `{key}` = {value}, {noun} of V, V is not positive away from rest");
             return Conflict::new(key, problem, remedy);
         }
-        Conflict::new(
-            key,
-            format!("the loop is beyond the range of {scalar}"),
-            format!("{error}: give values nearer to 1"),
-        )
+        Conflict::beyond(self.scalar, (key, error))
     }
 }
 

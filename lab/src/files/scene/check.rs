@@ -22,7 +22,16 @@ pub struct Conflict {
     asker: Option<&'static str>,
 }
 
+/// Part of a loop that cannot be built: the key to change, and why.
+pub(crate) type Refused = (&'static str, ParameterError);
+
 impl Conflict {
+    /// The conflict of a loop that leaves the range of `scalar` in this part.
+    pub(crate) fn beyond(scalar: Scalar, (key, error): Refused) -> Self {
+        let problem = format!("the loop is beyond the range of {}", scalar.name());
+        Self::new(key, problem, format!("{error}: give values nearer to 1"))
+    }
+
     pub(crate) fn new(
         key: impl Into<String>,
         problem: impl Into<String>,

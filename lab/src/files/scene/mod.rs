@@ -63,7 +63,7 @@ mod written;
 
 pub(crate) use book::{Book, Key, key};
 pub use check::Conflict;
-pub(crate) use check::{check_single, check_ticks, standing_out};
+pub(crate) use check::{Refused, check_single, check_ticks, standing_out};
 pub use coordinates::Coordinates;
 pub(crate) use damping::Damping;
 pub use diagnostic::Diagnostic;

@@ -28,6 +28,16 @@ pub enum Scalar {
     F32,
 }
 
+impl Scalar {
+    /// Its word in a file and in messages.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::F64 => "f64",
+            Self::F32 => "f32",
+        }
+    }
+}
+
 /// The haptic device.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

@@ -1,7 +1,5 @@
 //! The rules between the values of a teleoperator.
 
-use lyapunov::ParameterError;
-
 use super::parts::Channel;
 use super::teleoperator::Teleoperator;
 use crate::files::scene::{Conflict, Scalar, check_single, check_ticks};
@@ -75,15 +73,5 @@ impl Teleoperator {
             "the slave bounces off this wall within a tick or two, too fast for its servo loop",
             format!("give at most mass · servo_rate² = {most:?} N/m, or a higher rate"),
         ))
-    }
-
-    /// The conflict at `key` for a parameter that a block of the loop rejected.
-    pub(crate) fn refusal(&self, (key, error): (&str, ParameterError)) -> Conflict {
-        let scalar = if self.scalar == Scalar::F32 { "f32" } else { "f64" };
-        Conflict::new(
-            key,
-            format!("the loop is beyond the range of {scalar}"),
-            format!("{error}: give values nearer to 1"),
-        )
     }
 }

@@ -9,9 +9,9 @@ use lyapunov::{
 };
 use nalgebra::SVector;
 
-use super::rig::{Loop, Parts, Refused, rig};
+use super::rig::{Loop, Parts, rig};
 use crate::files::models::{Model, Plant, plant};
-use crate::files::scene::{self, Coordinates};
+use crate::files::scene::{self, Coordinates, Refused};
 
 /// The loop of `model`, in the scalar that it names.
 pub(crate) fn built(model: &Model) -> Result<Box<dyn Loop>, Refused> {

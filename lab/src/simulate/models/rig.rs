@@ -3,8 +3,7 @@
 use std::ops::ControlFlow;
 
 use lyapunov::{
-    self as library, DampingLimit, Lolc, Mask, OnePort, ParameterError, Plant, Popc, PortEnergy,
-    Scalar, Signal,
+    self as library, DampingLimit, Lolc, Mask, OnePort, Plant, Popc, PortEnergy, Scalar, Signal,
     effects::OnePortExt,
     integrators::RungeKutta4,
     models::{
@@ -16,6 +15,7 @@ use nalgebra::SVector;
 
 use super::entrant::Entrant;
 use crate::files::models::{Controller, Model, Stabilizer};
+use crate::files::scene::Refused;
 
 /// Longest delay of a controller, ticks.
 const MOST_DELAY: usize = 1024;
@@ -43,9 +43,6 @@ pub(crate) struct Tick {
     /// Energy that the correction takes from V until the next tick.
     pub(crate) taken: f64,
 }
-
-/// Model part that cannot be built: the key to change, and why.
-pub(crate) type Refused = (&'static str, ParameterError);
 
 /// Parts that differ from plant to plant.
 #[derive(Clone, Copy, Debug)]

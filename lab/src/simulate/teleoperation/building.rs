@@ -13,15 +13,12 @@ use lyapunov::{
 
 use super::entrant::Entrant;
 use super::link::{Layers, Link, Message, Velocities, Waves};
-use crate::files::scene::{Seed, standing_out};
+use crate::files::scene::{Refused, Seed, standing_out};
 use crate::files::teleoperation::{Channel, Teleoperator, Wall};
 use crate::simulate::building::AnyPlant;
 
 /// Room for the messages under way: the longest delay and the widest spread.
 const ROOM: usize = 2049;
-
-/// Teleoperator part that cannot be built: the key to change, and why.
-pub(crate) type Refused = (&'static str, ParameterError);
 
 /// Any channel, boxed.
 pub(super) type AnyChannel<T> = Box<dyn library::channels::Channel<Message<T>>>;

@@ -4,10 +4,10 @@ use std::ops::ControlFlow;
 
 use lyapunov::{AdmittanceSample, Correction, HeldFlow, ParameterError, Plant, PortSample, Scalar};
 
-use super::building::{self, AnyChannel, Refused};
+use super::building::{self, AnyChannel};
 use super::entrant::Entrant;
 use super::link::{Coordination, Link, Message, Slave};
-use crate::files::scene;
+use crate::files::scene::{self, Refused};
 use crate::files::teleoperation::Teleoperator;
 use crate::simulate::building::AnyPlant;
 
