@@ -125,12 +125,7 @@ impl Role {
 
     /// Its quantity in a word.
     pub(super) fn quantity(self) -> &'static str {
-        match self {
-            Self::T => "time",
-            Self::X => "position",
-            Self::F => "force",
-            Self::V => "velocity",
-        }
+        self.words()[0]
     }
 
     pub(super) fn index(self) -> usize {
