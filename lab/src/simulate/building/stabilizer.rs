@@ -66,11 +66,7 @@ impl<V: Space> AnyStabilizer<V> {
     ) -> Self {
         let part = On::new(stabilizer, instructions);
         // Loops that are small rather than fast call every stabilizer.
-        Self(if cfg!(feature = "every-scalar") {
-            Box::new(Fused(part))
-        } else {
-            Box::new(Called(part))
-        })
+        Self(if cfg!(feature = "every-scalar") { Box::new(part) } else { Box::new(Called(part)) })
     }
 
     /// POPC or LOLC of the tables, one for each scene and alike in all but numbers.
@@ -218,21 +214,13 @@ impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Called<S> {
 }
 
 /// Stabilizer with a loop compiled for its type.
-struct Fused<S>(On<S>);
-
-impl<V: Space, S: Stabilizer<V>> Stabilizer<V> for Fused<S> {
-    fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
-        self.0.stabilize(sample, effort)
-    }
-}
-
-impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for Fused<S> {
+impl<V: Space, S: Stabilizer<V> + 'static> Replay<V> for On<S> {
     fn state_bytes(&self) -> usize {
         size_of::<S>()
     }
 
     fn on(self: Box<Self>, port: Port<V>, scenes: Scenes<'_>) -> Result<Port<V>, ParameterError> {
-        measured(scenes, port.stabilized(self.0.into_part()))
+        measured(scenes, port.stabilized(self.into_part()))
     }
 
     fn replay(&mut self, samples: &[(PortSample<V>, V)], corrections: &mut [Correction<V>]) {
