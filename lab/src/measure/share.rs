@@ -53,11 +53,10 @@ impl<V: Signal> Share<V> {
 impl<V: Space<Scalar = f64>> Share<V> {
     /// The shares in `scene`, whose loop computes in the scalar of `S`.
     pub(crate) fn new<S: Space<Double = V>>(scene: &Scene) -> Self {
-        let ticks = scene.effects.delay.map_or(0, |delay| delay.ticks.get());
         // Rounded as the loop rounds it.
         let limit = |force: f64| S::Scalar::of(force).lane(0);
         let limit = scene.effects.saturation.map_or(f64::INFINITY, |it| limit(it.force.get()));
-        Self::late(ticks.into(), limit)
+        Self::late(scene.delay_ticks() as usize, limit)
     }
 
     /// Splits the force applied from `tick` on.

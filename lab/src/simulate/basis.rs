@@ -2,7 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use lyapunov::environments::Time;
 use nalgebra::SVector;
 
 use super::building::Space;
@@ -28,7 +27,7 @@ impl Basis {
             count: scene.effects.encoder.map(|encoder| encoder.resolution.get()),
             delay: scene.delay_ticks(),
             ratio: u32::try_from(scene.environment_ratio()).unwrap_or(u32::MAX),
-            surface: surface(scene),
+            surface: scene.surface(),
             steepest: steepest.map(|it| {
                 it.stiffness.abs() + 2.0 * it.damping.abs() / pace + 4.0 * it.mass / (pace * pace)
             }),
@@ -103,10 +102,6 @@ where
         solid.nearest(scene.initial.position.vector::<f64, N>()).depth.max(0.0)
     });
     0.5 * stiffness * depth * depth
-}
-
-fn surface(scene: &Scene) -> Option<f64> {
-    scene.law()?.surface(Time::Seconds(0.0)).map(|surface| surface.position)
 }
 
 #[cfg(test)]

@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use lyapunov::environments::Time;
-
 use super::building::Space;
 use super::equilibrium::{driven, equilibria, last_pull, swing};
 use super::place::Place;
@@ -123,7 +121,7 @@ fn nearest(places: &[Place], of: impl Fn(usize) -> f64) -> Option<&Place> {
 
 impl Shortage {
     fn of(scene: &Draft) -> Option<Self> {
-        let delay = scene.effects.delay.map_or(0, |delay| u64::from(delay.ticks.get()));
+        let delay = scene.delay_ticks().into();
         let least = ANSWERS.saturating_mul(scene.environment_ratio().saturating_add(delay));
         if scene.ticks() < least {
             return Some(Self::Answers(least));
@@ -137,9 +135,8 @@ impl Shortage {
 /// that of an environment that does; 0 without any.
 fn slowest_swing(scene: &Draft) -> f64 {
     let kind = scene.environment.kind();
-    let surface = scene.law().and_then(|law| law.surface(Time::Seconds(0.0)));
     // Before a one-sided wall the plant swings on the hand's spring alone.
-    let own = kind.impedance().filter(|_| surface.is_none() && scene.dimensions() == 1);
+    let own = kind.impedance().filter(|_| scene.surface().is_none() && scene.dimensions() == 1);
     let stiffness = last_pull(scene) + own.map_or(0.0, |it| it.stiffness);
     let mass = scene.operator.mass.get() + scene.device.mass.get();
     let free = if stiffness > 0.0 { TAU * (mass / stiffness).sqrt() } else { 0.0 };

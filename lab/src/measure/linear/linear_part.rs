@@ -111,7 +111,7 @@ impl LinearPart {
         Ok(Self {
             period,
             ratio: scene.environment_ratio(),
-            delay: delay(scene),
+            delay: scene.delay_ticks().into(),
             velocity,
             device: DampedMass {
                 mass: scene.device.mass.get(),
@@ -159,9 +159,4 @@ impl LinearPart {
     pub fn environment_period(&self) -> f64 {
         self.period * self.ratio as f64
     }
-}
-
-/// Delay of the force of `scene`, servo ticks.
-pub(super) fn delay(scene: &Scene) -> u64 {
-    scene.effects.delay.map_or(0, |delay| delay.ticks.get().into())
 }

@@ -1,6 +1,5 @@
 //! Stiffness rules of one line: Gil's, and Abbott and Okamura's for a device with friction and an encoder.
 
-use super::linear_part::delay;
 use crate::files::Scene;
 
 /// The largest stiffness by the linear rule `K < (b + B) / (T / 2 + t_d)`, N/m; none where the environment has no
@@ -18,7 +17,7 @@ pub(super) fn gil(scene: &Scene) -> Option<f64> {
     let environment = scene.environment.kind().impedance()?;
     let damping = scene.device.damping.get() + scene.operator.damping.get() + environment.damping;
     let held = scene.period() * scene.environment_ratio() as f64;
-    let late = scene.period() * delay(scene) as f64;
+    let late = scene.period() * f64::from(scene.delay_ticks());
     Some((damping / (0.5 * held + late)).max(0.0))
 }
 

@@ -1,6 +1,5 @@
 //! Signs of a mistake in the run of a scene.
 
-use lyapunov::environments::Time;
 use lyapunov::{Mask, PortSample, Scalar};
 
 use super::miscount::Miscount;
@@ -134,8 +133,7 @@ impl RunSigns {
     /// Where the plant is and where the environment begins.
     fn out_of_touch(&self, scene: &Scene) -> String {
         let stands = scene.environment.kind().frequency().is_none();
-        let surface = scene.law().and_then(|law| law.surface(Time::Seconds(0.0)));
-        let Some(surface) = surface.filter(|_| stands).map(|it| it.position) else {
+        let Some(surface) = scene.surface().filter(|_| stands) else {
             return "nothing is touched".to_owned();
         };
         let (high, place) = (found(1e3 * self.high), given(1e3 * surface));

@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use lyapunov::environments::Time;
-
 use super::{FASTEST, Oddity, REACH, SLOWEST, STRONGEST, Sign};
 use crate::files::Scene;
 use crate::files::scene::{Effects, Motion};
@@ -149,11 +147,9 @@ fn bounded(scene: &Scene) -> Vec<Bounded> {
             ["mm/s", "km/s"],
         ),
     ];
-    let law = scene.law();
-    let is_wall = law.is_some_and(|law| law.surface(Time::Seconds(0.0)).is_some());
     if let Some(impedance) = scene.environment.kind().impedance() {
         let key = format!("environment.{}.stiffness", scene.environment.name());
-        let least = if is_wall { SOFT } else { 0.0 };
+        let least = if scene.surface().is_some() { SOFT } else { 0.0 };
         let units = ["mN/m", "N/mm"];
         all.push(number(&key, impedance.stiffness, "N/m", [least, STIFF], units));
     }

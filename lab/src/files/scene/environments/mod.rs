@@ -19,7 +19,7 @@ mod wall;
 
 use lyapunov::{
     ParameterError, Requirement, Scalar,
-    environments::{self, ForceLaw, Solid},
+    environments::{self, ForceLaw, Solid, Time},
 };
 use nalgebra::SVector;
 use schemars::JsonSchema;
@@ -180,6 +180,11 @@ impl Draft {
     pub(crate) fn law(&self) -> Option<Box<dyn ForceLaw<f64>>> {
         Environment::on_a_line(&[&self.environment], Rates::of(self), Boxed).ok()
     }
+
+    /// The place of the environment's surface at the start, m; none without one and in more than one dimension.
+    pub(crate) fn surface(&self) -> Option<f64> {
+        self.law()?.surface(Time::Seconds(0.0)).map(|surface| surface.position)
+    }
 }
 
 /// The error of an environment that does not exist in this number of dimensions.
@@ -213,7 +218,7 @@ mod tests {
                 let still = Kinematics::at(position, 0.0);
                 law.force(&Kinematics { time: Time::Seconds(time), ..still })
             };
-            let surface = law.surface(Time::Seconds(0.0)).map_or(0.0, |it| it.position);
+            let surface = scene.surface().unwrap_or(0.0);
             let rise = |at: u32| {
                 let (time, position) =
                     (0.01 * f64::from(at % 101), surface + 1e-4 * f64::from(at / 101) - 0.02);
