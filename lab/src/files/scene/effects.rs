@@ -1,5 +1,6 @@
 //! Imperfections and disturbances of a loop.
 
+use lyapunov::{ParameterError, trajectories};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -148,4 +149,11 @@ pub struct Pulse {
     pub duration: NonNegative,
     /// Force in N; required.
     pub force: Finite,
+}
+
+impl Pulse {
+    /// The force, N, on the ticks of a servo rate, Hz.
+    pub(crate) fn on_ticks(&self, rate: f64) -> Result<trajectories::Pulse, ParameterError> {
+        trajectories::Pulse::new(self.force.get(), self.start.get(), self.duration.get(), rate)
+    }
 }

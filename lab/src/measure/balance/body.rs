@@ -4,7 +4,7 @@ use std::ops::Add;
 
 use lyapunov::{
     ParameterError,
-    trajectories::{Constant, Pulse, Ramp, RampParts, Samples, Sine, Step, Trajectory},
+    trajectories::{Constant, Ramp, RampParts, Samples, Sine, Step, Trajectory},
 };
 use nalgebra::{DMatrix, DVector};
 
@@ -96,11 +96,7 @@ impl Body {
         let (operator, rate) = (&scene.operator, scene.servo_rate.get());
         let load = scene.effects.load.map_or(0.0, |load| load.force.get());
         let load = Constant::new(load)?;
-        let pulse = scene
-            .effects
-            .pulse
-            .map(|it| Pulse::new(it.force.get(), it.start.get(), it.duration.get(), rate));
-        let pulse = pulse.transpose()?;
+        let pulse = scene.effects.pulse.map(|it| it.on_ticks(rate)).transpose()?;
         let push = move |tick| -> f64 {
             let load: f64 = load.at(tick);
             load + pulse.as_ref().map_or(0.0, |pulse| pulse.at(tick))

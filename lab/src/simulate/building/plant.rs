@@ -269,7 +269,7 @@ fn disturbed<V: Space, K: Kind<V>>(
     mut body: AnyBody<V, K::Parts>,
 ) -> Result<AnyPlant<V>, ParameterError> {
     let common = scenes.common();
-    let (effects, rate) = (&common.effects, common.servo_rate.get());
+    let effects = &common.effects;
     let parts = K::parts(scenes, held);
     if effects.jitter.is_some() {
         let jitter = |lane: usize| scenes.lane(lane).effects.jitter;
@@ -291,11 +291,8 @@ fn disturbed<V: Space, K: Kind<V>>(
         body = scenes.body(body.gripped(parts, table)?);
     }
     let load = effects.load.map(|load| Constant::new(load.force.get())).transpose()?;
-    let pulse = effects.pulse.map(|pulse| {
-        let (start, duration) = (pulse.start.get(), pulse.duration.get());
-        Pulse::new(pulse.force.get(), start, duration, rate)
-    });
-    Ok(pushed(scenes, body, load, pulse.transpose()?))
+    let pulse = effects.pulse.map(|it| it.on_ticks(common.servo_rate.get())).transpose()?;
+    Ok(pushed(scenes, body, load, pulse))
 }
 
 /// Damping and stiffness of row `index` of the operator's grip.
