@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
+use super::summary::MILLI;
 use super::trace::Trace;
 use super::verdict::{Findings, Verdict};
 use crate::files::teleoperation::Teleoperator;
@@ -30,9 +31,6 @@ const ROUNDING: f64 = 1e-9;
 /// The least that a correction dissipates on a tick that counts as active, as a share of the energy at the start: at
 /// rest, debts in the last digits come and go.
 const ACTIVE: f64 = 1e-9;
-
-/// Millimetres per metre, millijoules per joule.
-const MILLI: f64 = 1e3;
 
 /// Mean of what was added.
 #[derive(Debug, Default)]

@@ -7,13 +7,11 @@ use super::hint::{LEFT, broken};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::files::scene::Integrator;
 use crate::measure::Balance;
+use crate::measure::summary::MILLI;
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
 use crate::text::{folded, found, given, near_one};
-
-/// Energies are reported in thousandths of a joule.
-const MILLI: f64 = 1e3;
 
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -4,10 +4,8 @@ use lyapunov_figures::{Figure, Guide, Panel, Series};
 
 use super::Identified;
 use super::wall::Seen;
+use crate::measure::summary::MILLI;
 use crate::text::file_name;
-
-/// Factor from m to mm.
-const MILLI: f64 = 1e3;
 
 /// Factor from m to µm.
 const MICRO: f64 = 1e6;

@@ -3,12 +3,10 @@
 use super::comparison::Comparison;
 use super::table::setting;
 use crate::measure::Verdict;
+use crate::measure::summary::MILLI;
 use crate::measure::teleoperation::Outcome;
 use crate::text::file_name;
 use lyapunov_figures::{Figure, Guide, Panel, Series};
-
-/// Millimetres per metre.
-const MILLI: f64 = 1e3;
 
 /// Positions over time, all panels over one range: that of the runs that do not grow, and of one and a half times the start.
 pub(super) fn of(comparison: &Comparison) -> Figure {
