@@ -26,11 +26,6 @@ impl OwnTable {
         self.own
     }
 
-    /// The number that is written under `key`.
-    pub(super) fn number(&self, key: &str) -> Option<f64> {
-        self.written[self.place(key)?]
-    }
-
     /// The written numbers with their keys.
     pub(super) fn entries(&self) -> impl Iterator<Item = (&'static str, bool, f64)> {
         let numbers = self.own.numbers.iter().zip(self.written);
@@ -65,7 +60,7 @@ impl Numbers for OwnTable {
     }
 
     fn written(&self, key: &str) -> Option<f64> {
-        self.number(key)
+        self.written[self.place(key)?]
     }
 
     fn write(&mut self, key: &str, number: f64) -> Result<bool, OutOfRange> {

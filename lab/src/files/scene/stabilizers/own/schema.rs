@@ -1,8 +1,10 @@
 //! Schema of the tables of own stabilizers.
 
+use schemars::{JsonSchema, SchemaGenerator};
 use serde_json::{Value, json};
 
 use super::{Allowed, Declared, declared};
+use crate::files::scene::{Cap, Finite, NonNegative, Positive, Ticks};
 
 /// Adds the tables of the program's own stabilizers to the choice of a scene's stabilizer in `schema`.
 pub(crate) fn add_to(schema: &mut Value) {
@@ -39,15 +41,13 @@ fn choice(own: &Declared) -> Value {
 
 impl Allowed {
     fn schema(self) -> Value {
-        match self {
-            Self::Positive => json!({ "type": "number", "exclusiveMinimum": 0 }),
-            Self::NonNegative => json!({ "type": "number", "minimum": 0 }),
-            Self::Finite => json!({ "type": "number" }),
-            // JSON has no infinity: converters from TOML to JSON write null.
-            Self::Limit => {
-                json!({ "anyOf": [{ "type": "number", "minimum": 0 }, { "const": null }] })
-            }
-            Self::Ticks => json!({ "type": "integer", "minimum": 1, "maximum": 1_000_000 }),
-        }
+        let schema = match self {
+            Self::Positive => Positive::json_schema,
+            Self::NonNegative => NonNegative::json_schema,
+            Self::Finite => Finite::json_schema,
+            Self::Limit => Cap::json_schema,
+            Self::Ticks => Ticks::json_schema,
+        };
+        schema(&mut SchemaGenerator::default()).into()
     }
 }

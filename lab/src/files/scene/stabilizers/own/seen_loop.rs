@@ -2,9 +2,10 @@
 
 use lyapunov::{DampingLimit, ParameterError, Scalar};
 
+use super::super::kind::Numbers;
 use super::super::{Basis, Search};
 use super::{OwnNumber, OwnTable};
-use crate::files::scene::{Damping, Scene};
+use crate::files::scene::Scene;
 
 /// The loop that an own stabilizer or candidate is made for, and the numbers that its table writes.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +64,7 @@ impl<'a> Loop<'a> {
     /// # Errors
     /// A limit out of the range of the scalar.
     pub fn damping_limit<T: Scalar>(&self) -> Result<DampingLimit<T>, ParameterError> {
-        let written = self.table.number(OwnNumber::DAMPING_CAP.key);
+        let written = self.table.written(OwnNumber::DAMPING_CAP.key);
         self.basis.limit(written.unwrap_or_else(|| self.default_cap()))
     }
 
@@ -74,7 +75,7 @@ impl<'a> Loop<'a> {
 
     /// The value of `number` in the scalar of the loop: the one that the table writes, else its default.
     pub fn number<T: Scalar>(&self, number: OwnNumber) -> T {
-        T::of(self.table.number(number.key).unwrap_or_else(|| (number.default)(self)))
+        T::of(self.table.written(number.key).unwrap_or_else(|| (number.default)(self)))
     }
 
     /// The scene; none in the hard cases that play samples instead of a scene.
@@ -84,7 +85,6 @@ impl<'a> Loop<'a> {
 
     /// Caps worth a try.
     pub(super) fn caps(&self) -> Option<Search> {
-        let most = 2.0 * Damping::default_cap(self.delay());
-        Search::ratios(0.02 * most, most)
+        self.basis.caps()
     }
 }
