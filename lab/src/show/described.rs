@@ -5,7 +5,7 @@ use crate::files::scene::{
     Policy, Popc, Scene, Stabilizer, Work,
 };
 use crate::simulate::Stabilizing;
-use crate::text::{given, listed, shorten};
+use crate::text::{counted, given, listed, shorten};
 
 /// The sentence above a scene on a page, without its full stop.
 pub(crate) const EVERY_NUMBER: &str = "Every number, with its default in place; where environment_rate and damping_cap are not \
@@ -65,13 +65,12 @@ fn number(parameter: &Parameter) -> Option<String> {
 }
 
 fn booking(work: Work, ledger: Ledger) -> String {
-    let work = if work == Work::Held { "held" } else { "sampled" };
     let ledger = match ledger {
         Ledger::Plain => "",
         Ledger::Compensated => ", compensated ledger",
         Ledger::Wide => ", wide ledger",
     };
-    format!("{work} work{ledger}")
+    format!("{} work{ledger}", work.name())
 }
 
 /// The effects of a scene in words, one entry each.
@@ -158,8 +157,4 @@ pub(crate) fn operator(scene: &Scene) -> Vec<String> {
     let grip =
         grip.as_ref().map(|grip| format!("grip changes {}", counted(grip.times.len(), "time")));
     [link, motion, grip].into_iter().flatten().collect()
-}
-
-fn counted(count: usize, thing: &str) -> String {
-    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }

@@ -24,6 +24,11 @@ pub(crate) fn listed(label: &str, things: &[String]) -> String {
     folded(label, &things.join(", ")).replace('\u{a0}', " ")
 }
 
+/// A number of things in words.
+pub(crate) fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
 /// Names of what is equal for a place of `room` characters: all, or the first and the number of the others.
 pub(crate) fn shortened_names(names: &[&str], room: usize) -> String {
     let all = names.join(" = ");

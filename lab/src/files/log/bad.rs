@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::columns::Role;
 use super::notation::Mark;
-use crate::text::shorten;
+use crate::text::{counted, shorten};
 
 /// Number of bad rows that are listed; the rest are only counted.
 const NAMED: usize = 10;
@@ -66,8 +66,7 @@ impl fmt::Display for Reason<'_> {
         let text = |field| shorten(String::from_utf8_lossy(field).trim());
         match self {
             Self::Fields { found, expected } => {
-                let plural = if *found == 1 { "" } else { "s" };
-                write!(f, "{found} field{plural}, not {expected}")
+                write!(f, "{}, not {expected}", counted(*found, "field"))
             }
             Self::Number { role, field } if field.trim_ascii().is_empty() => {
                 write!(f, "{} is empty", role.letter())

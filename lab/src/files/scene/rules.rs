@@ -4,7 +4,7 @@ use super::check::Conflict;
 use super::environments::NAMES;
 use super::keys::example;
 use super::{Draft, Friction, Integrator, Stabilizer, Velocity};
-use crate::text::found;
+use crate::text::{counted, found};
 
 /// The largest angle, rad, through which a link may swing within a period: a larger one is rounded by a thousandth of a radian or
 /// more, each tick a push that no motion has.
@@ -143,9 +143,9 @@ impl Draft {
             return Err(Conflict::new(
                 &key,
                 format!(
-                    "`{key}` is {}, and the scene has {dimensions} dimension{}",
+                    "`{key}` is {}, and the scene has {}",
                     numbers(length),
-                    if dimensions == 1 { "" } else { "s" }
+                    counted(dimensions, "dimension")
                 ),
                 match dimensions {
                     1 => "give one number, or a table [space] with `dimensions = 2`".to_owned(),
@@ -218,10 +218,7 @@ impl Draft {
         };
         Err(Conflict::new(
             format!("environment.{name}"),
-            format!(
-                "`environment.{name}` is not for {dimensions} dimension{}",
-                if dimensions == 1 { "" } else { "s" }
-            ),
+            format!("`environment.{name}` is not for {}", counted(dimensions, "dimension")),
             remedy,
         ))
     }

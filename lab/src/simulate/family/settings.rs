@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::files::scene::{Draft, Ledger, Stabilizer, Work};
-use crate::text::given;
+use crate::text::{counted, given};
 
 /// The settings of POPC and LOLC on a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,10 +41,7 @@ impl Settings {
 
     /// The kind of work in one word.
     pub(crate) fn work_name(&self) -> &'static str {
-        match self.work {
-            Work::Held => "held",
-            Work::Sampled => "sampled",
-        }
+        self.work.name()
     }
 }
 
@@ -55,7 +52,7 @@ impl fmt::Display for Settings {
         match self.delayed {
             None => write!(f, "{work} work, cap {cap} ({source})"),
             Some(ticks) => {
-                let ticks = if ticks == 1 { "1 tick".to_owned() } else { format!("{ticks} ticks") };
+                let ticks = counted(ticks as usize, "tick");
                 write!(f, "{work} work, cap {} ({source}, with {ticks} of delay)", given(cap))
             }
         }

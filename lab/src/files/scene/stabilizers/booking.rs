@@ -14,6 +14,16 @@ pub enum Work {
     Sampled,
 }
 
+impl Work {
+    /// Its word in a scene file.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Held => "held",
+            Self::Sampled => "sampled",
+        }
+    }
+}
+
 /// Accumulator of the observer's energies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
