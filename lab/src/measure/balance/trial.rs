@@ -82,7 +82,7 @@ impl Trial {
             }
             let near = position.length() < FAR && velocity.length() < FAR;
             open = open && near && account.add(&tick);
-            if (number + 1) % BREATH == 0 && watch(BREATH).is_break() {
+            if number % BREATH == 0 && watch(BREATH).is_break() {
                 break;
             }
         }
