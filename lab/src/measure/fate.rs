@@ -49,12 +49,9 @@ impl<T: Scalar> Fate<T> {
 
     /// The meter of a run of each of `scenes`, all with as many ticks, and in a cycle.
     pub(crate) fn of_lanes<'a>(scenes: impl IntoIterator<Item = &'a Draft>) -> Self {
-        let mut last = 0;
-        let criterion = |scene: &Draft| {
-            last = scene.ticks();
-            Criterion::of(scene)
-        };
-        let criteria: Vec<Criterion> = scenes.into_iter().map(criterion).collect();
+        let mut scenes = scenes.into_iter().peekable();
+        let last = scenes.peek().map_or(0, |scene| scene.ticks());
+        let criteria: Vec<Criterion> = scenes.map(Criterion::of).collect();
         let has_place = criteria.iter().all(|criterion| criterion.place().is_some());
         let cycle = criteria.iter().map(|criterion| criterion.cycle).max().unwrap_or(0);
         let speeds = (!has_place).then(|| Stretches::recurring(last, cycle));
