@@ -168,8 +168,8 @@ pub(crate) fn exceeds_tenth(last: u64, cycle: u64) -> bool {
     cycle > last + 1 - (9 * last).div_ceil(10)
 }
 
-/// The first row of a stretch: `ceil(q (last + 1) / 4)` of quarter `q`, and of the last tenth `ceil(9 last / 10)`; none of them
-/// later than leaves room for a cycle.
+/// The first row of a stretch: `ceil(q (last + 1) / 4)` of quarter `q` and `ceil(9 last / 10)` of the last tenth, or an earlier
+/// one where a whole cycle would not fit in from there on.
 fn start_of(stretch: usize, last: u64, cycle: u64) -> u64 {
     let end = (last + 1).saturating_sub(cycle);
     match (stretch, exceeds_quarter(last, cycle)) {

@@ -1,4 +1,4 @@
-//! What a file of rows says about itself.
+//! Description of a file of rows: where it comes from, and its columns.
 
 use serde::Serialize;
 
@@ -7,7 +7,7 @@ use super::json;
 use crate::files::Scene;
 use crate::simulate::row::further_columns;
 
-/// What a file of the rows of a run says about itself: the program, the scene, the seeds, the columns.
+/// Description of a file of the rows of a run: the program, the scene, the seeds, the columns.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RowFile {
     /// The version of the program that wrote it.

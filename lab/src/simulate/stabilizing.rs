@@ -1,11 +1,11 @@
-//! What stabilizes a run, for what is told of it.
+//! Stabilizer of a run, as reports name it.
 
 use std::any::type_name;
 use std::borrow::Cow;
 
 use crate::files::scene::Stabilizer;
 
-/// What stabilizes a run.
+/// Stabilizer of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Stabilizing {
     /// What a table says; none without one.

@@ -86,7 +86,7 @@ pub struct Stabilizer {
     /// Settings of `two-layer`.
     #[serde(rename = "two-layer")]
     pub two_layer: TwoLayer,
-    /// Settings of `wave-variables` and of what its name begins.
+    /// Settings of `wave-variables` and of the stabilizers whose names begin with it.
     #[serde(rename = "wave-variables")]
     pub wave_variables: WaveVariables,
 }

@@ -16,8 +16,8 @@ const DEGREE: u32 = 28;
 /// A root moves by less than this share of itself, squared, while its last digits are computed.
 const POLISH: f64 = 1e-8;
 
-/// The largest value at a root, as a share of the sum of the sizes of its terms: what is left is further from any root than
-/// rounding or a high order take it.
+/// The largest value of the polynomial at what counts as a root, as a share of the sum of the sizes of its terms: rounding and
+/// a high order leave less at a root, so that a place with more is none.
 const NEAR: f64 = 1e-3;
 
 /// Characteristic polynomial of the map that takes a loop from one tick of the environment to the next,

@@ -42,7 +42,7 @@ pub(crate) fn groups(
     groups
 }
 
-/// What the numbers of a table on its loop set besides numbers.
+/// The setting of a stabilizer on its loop that is the same in all lanes; 0 of POPC and LOLC, which have none.
 fn shape(scene: &Scene, table: &Option<Stabilizer>) -> u32 {
     match table {
         None | Some(Stabilizer::Popc(_) | Stabilizer::Lolc(_)) => 0,

@@ -56,7 +56,7 @@ pub(crate) struct Meters<V: Signal> {
     chatter: Option<Chatter<V>>,
 }
 
-/// What is metered at a tick.
+/// Quantities that are metered at a tick.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant<V: Signal> {
     /// The plant's position, m.
@@ -83,7 +83,7 @@ pub(crate) struct Instant<V: Signal> {
     pub(crate) pressed: [V::Scalar; 2],
 }
 
-/// What a reading needs besides what was metered.
+/// Facts about a run that a reading needs besides the metered quantities.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ran {
     /// The servo rate, Hz.

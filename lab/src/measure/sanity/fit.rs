@@ -14,9 +14,9 @@ pub(super) struct Fit {
 pub(super) struct Dependence {
     /// Samples.
     pub(super) count: u64,
-    /// Slope over the position, the velocity let be, N/m.
+    /// Slope over the position at a constant velocity, N/m.
     pub(super) by_position: f64,
-    /// Slope over the velocity, the position let be, N·s/m.
+    /// Slope over the velocity at a constant position, N·s/m.
     pub(super) by_velocity: f64,
     /// The first slope in standard deviations: those of the force for one of the position; 0 where it is not defined.
     pub(super) with_position: f64,

@@ -8,10 +8,11 @@ use crate::text::found;
 /// Fewest rows in contact that say something.
 const ROWS: u64 = 20;
 
-/// Share of the jerk, as squares, that a held force may leave before another course is looked at.
+/// Share of the jerk's variance up to which a held force may leave it unexplained, and no other course is looked at.
 const LEFT: f64 = 0.01;
 
-/// Share of that which another course of the force may leave to be told; the steps of an encoder come down to a third.
+/// Most that another course of the force may leave unexplained to be told, as a share of what a held force leaves; where that is
+/// an encoder's steps, another course leaves a third of it.
 const BETTER: f64 = 0.1;
 
 /// Slope of the jerk over the sum of the velocities from which on it is no motion of a mass: of an `f` that is `x` times a constant

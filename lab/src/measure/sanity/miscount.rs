@@ -6,7 +6,7 @@ use super::{Oddity, Sign};
 use crate::simulate::{Space, Tick};
 use crate::text::found;
 
-/// Ticks on which a stabilizer brakes for a debt that are no chance yet.
+/// Fewest ticks of braking for a debt that are not put down to chance.
 const BRAKES: u64 = 20;
 
 /// Share of the run, back from its end, over which a debt has to stand: one that a loop pays off is none.

@@ -1,4 +1,4 @@
-//! What stabilizes a loop, at its place.
+//! Stabilizer of a loop, at its place.
 
 use std::any::TypeId;
 
@@ -12,8 +12,8 @@ use crate::files::scene::own::{Loop, OwnTable};
 use crate::files::scene::{self, Basis, Install, Lanes, Pace, Scene, elsewhere};
 use crate::simulate::instructions::Instructions;
 
-/// What stabilizes a loop: a stabilizer behind the hold, which sees the environment's efforts only, or a port around
-/// the environment, which asks it.
+/// Stabilizer of a loop: one behind the hold, which sees the environment's efforts only, or a port around the
+/// environment, which asks it.
 #[derive(Debug)]
 pub enum Fitted<V: Signal> {
     /// A stabilizer of efforts.

@@ -118,20 +118,18 @@ pub(crate) trait StabilizerKind: Numbers {
     }
 
     /// The key of the loop that it is set by and that is 0 there.
-    fn lacks(&self, on: &Basis) -> Option<&'static str> {
-        let _ = on;
+    fn lacks(&self, _on: &Basis) -> Option<&'static str> {
         None
     }
 
-    /// What its numbers set besides numbers, such as a count of ticks: stabilizers on lanes are alike in it.
-    fn shape(&self, on: &Basis) -> u32 {
-        let _ = on;
+    /// A setting that follows from its numbers and is the same in all lanes, such as a count of ticks: stabilizers that differ
+    /// in it share no lanes.
+    fn shape(&self, _on: &Basis) -> u32 {
         0
     }
 
     /// The rules between its own values, and between those and the loop's.
-    fn check(&self, on: &Basis) -> Result<(), Conflict> {
-        let _ = on;
+    fn check(&self, _on: &Basis) -> Result<(), Conflict> {
         Ok(())
     }
 
