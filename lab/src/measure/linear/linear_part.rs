@@ -27,7 +27,7 @@ use crate::files::scene::{Effects, Filter, Integrator, Scalar, Scene, Velocity};
 pub struct LinearPart {
     /// Servo period `T`, s.
     pub period: f64,
-    /// Servo ticks from one answer of the environment to the next.
+    /// Servo ticks from one answer of the environment to the next, 1 or more.
     pub ratio: u64,
     /// Servo ticks from an answer to its correction.
     pub delay: u64,
