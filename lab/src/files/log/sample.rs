@@ -1,6 +1,6 @@
 //! Good row of a log.
 
-use super::bad::SHORTEST;
+use super::bad::{Reason, SHORTEST};
 
 /// A good row, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,8 +15,9 @@ pub(crate) struct Sample {
 }
 
 impl Sample {
-    /// True where `later` comes so long after this row that one may divide by the time between them.
-    pub(crate) fn is_before(&self, later: &Self) -> bool {
-        later.since - self.since >= SHORTEST
+    /// The reason why `next` may not follow this row; none where it comes so long after that one may divide by the time between them.
+    pub(crate) fn disorder(&self, next: &Self) -> Option<Reason<'static>> {
+        let follows = next.since - self.since >= SHORTEST;
+        (!follows).then_some(Reason::Order { time: next.t, last: self.t, line: self.line })
     }
 }

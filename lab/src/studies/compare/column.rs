@@ -5,7 +5,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::score::Score;
-use crate::show::table::Cell;
+use crate::show::table::{Cell, Heading};
 use crate::simulate::family::Judgement;
 use crate::text::nearest;
 
@@ -110,8 +110,16 @@ impl Column {
         matches!(self, Self::Stabilizer | Self::Verdict | Self::BrokeIt | Self::JudgedBy)
     }
 
-    /// The heading in the table, in lines; the last one is the unit.
-    pub(crate) fn heading(self) -> &'static str {
+    /// The heading in the table.
+    pub(crate) fn heading(self) -> Heading {
+        match self.is_words() {
+            true => Heading::word(self.lines()),
+            false => Heading::number(self.lines()),
+        }
+    }
+
+    /// The lines of the heading; the last one is the unit.
+    fn lines(self) -> &'static str {
         match self {
             Self::Stabilizer => "stabilizer",
             Self::Verdict => "verdict",

@@ -68,6 +68,26 @@ pub enum CompareError {
     Stopped,
 }
 
+impl CompareError {
+    /// The error for the `reason` why `stabilizer` does not run on `scene`, which is called `name`.
+    pub(super) fn of(
+        reason: impl Into<RunError>,
+        stabilizer: &str,
+        name: &str,
+        scene: &Scene,
+    ) -> Self {
+        match reason.into() {
+            RunError::Stopped => Self::Stopped,
+            RunError::Parameter(error) => Self::Parameter {
+                stabilizer: stabilizer.to_owned(),
+                scene: name.to_owned(),
+                error,
+                scalar: scene.scalar,
+            },
+        }
+    }
+}
+
 impl fmt::Display for CompareError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -117,13 +137,6 @@ impl Comparison {
         entrants: &Entrants<V>,
         watch: &(dyn Fn(u64) -> ControlFlow<()> + Sync),
     ) -> Result<Self, CompareError> {
-        let refused = |stabilizer: &str, reason| match reason {
-            RunError::Parameter(error) => {
-                let (stabilizer, named) = (stabilizer.to_owned(), name.to_owned());
-                CompareError::Parameter { stabilizer, scene: named, error, scalar: scene.scalar }
-            }
-            RunError::Stopped => CompareError::Stopped,
-        };
         let mut named = entrants.entries().iter().filter_map(|entrant| entrant.like);
         named
             .try_for_each(|like| like.check_axes(scene))
@@ -131,14 +144,14 @@ impl Comparison {
         let runs = runs(scene, entrants, watch);
         let (mut scores, mut shown, mut samples) = (Vec::new(), Vec::new(), Vec::new());
         for (run, entry) in runs.into_iter().zip(entrants.names()) {
-            let run = run.map_err(|reason| refused(entry, reason))?;
+            let run = run.map_err(|reason| CompareError::of(reason, entry, name, scene))?;
             scores.push(run.score);
             shown.push((run.curves, run.look_at));
             samples.push(run.samples);
         }
         // By now nothing else runs here.
         let times = cost::of(scene, entrants.entries(), &samples, watch)
-            .map_err(|error| refused("a stabilizer", error))?;
+            .map_err(|error| CompareError::of(error, "a stabilizer", name, scene))?;
         for (score, time) in scores.iter_mut().zip(times) {
             score.step_time = time;
         }

@@ -49,12 +49,8 @@ impl Energies {
             if outcome.score.verdict == Verdict::Grows {
                 return Ok((format!("{name} (grows)"), None));
             }
-            let told = balance(outcome.number).map_err(|error| CompareError::Parameter {
-                stabilizer: name.clone(),
-                scene: comparison.name.clone(),
-                error,
-                scalar: scene.scalar,
-            })?;
+            let refused = |error| CompareError::of(error, name, &comparison.name, scene);
+            let told = balance(outcome.number).map_err(refused)?;
             match watch(scene.ticks() + 1) {
                 ControlFlow::Continue(()) => Ok((name.clone(), Some(told))),
                 ControlFlow::Break(()) => Err(CompareError::Stopped),

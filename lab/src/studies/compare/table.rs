@@ -8,7 +8,7 @@ use super::equal::Equals;
 use super::look_at::LookAt;
 use crate::files::Scene;
 use crate::show::described;
-use crate::show::table::{Cell, Heading, Table};
+use crate::show::table::{Cell, Table};
 use crate::show::verdict::by_speed;
 use crate::studies::explain::in_balance;
 use crate::text::{folded, given};
@@ -83,12 +83,7 @@ pub(super) fn equal_names(comparison: &Comparison) -> Vec<String> {
 pub(super) fn tables(comparison: &Comparison) -> Vec<Table> {
     let groups = Equals::of(&comparison.outcomes);
     let of = |columns: &[Column]| {
-        let headings = columns.iter().map(|column| match column {
-            Column::Stabilizer | Column::Verdict | Column::BrokeIt | Column::JudgedBy => {
-                Heading::word(column.heading())
-            }
-            _ => Heading::number(column.heading()),
-        });
+        let headings = columns.iter().map(|column| column.heading());
         let rows = groups.iter().map(|group| {
             let cell = |column: &Column| cell(*column, group);
             columns.iter().map(cell).collect::<Vec<_>>()

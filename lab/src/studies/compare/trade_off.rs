@@ -4,7 +4,6 @@ use std::ops::ControlFlow;
 
 use rayon::prelude::*;
 
-use super::compared::RunError;
 use super::comparison::{CompareError, Comparison};
 use super::entrant_run::{EntrantRun, Watch};
 use super::entrants::Entrants;
@@ -77,15 +76,9 @@ impl TradeOff {
         let error = |number: usize, scene: &Scene| {
             let entrant = &entrants.entries()[number];
             let quiet = |_| watch(0);
-            let run = EntrantRun::of(scene, entrant, &quiet).map_err(|reason| match reason {
-                RunError::Stopped => CompareError::Stopped,
-                RunError::Parameter(error) => CompareError::Parameter {
-                    stabilizer: entrant.name.clone(),
-                    scene: comparison.name.clone(),
-                    error,
-                    scalar: scene.scalar,
-                },
-            })?;
+            let run = EntrantRun::of(scene, entrant, &quiet);
+            let refused = |reason| CompareError::of(reason, &entrant.name, &comparison.name, scene);
+            let run = run.map_err(refused)?;
             match watch(scene.ticks() + 1) {
                 ControlFlow::Break(()) => Err(CompareError::Stopped),
                 // A wall that is never touched counts as bounded, and has no error to compare.

@@ -3,7 +3,7 @@
 use super::device::Device;
 use super::recording::Recording;
 use super::wall::{STRAY, Seen, Wall};
-use crate::text::{found, prefixed};
+use crate::text::{counted, found, prefixed};
 
 /// Share of the force in contact above which a wall is said to leave something.
 const LEFT: f64 = 0.1;
@@ -65,7 +65,7 @@ fn late(recording: &Recording, device: &Device, wall: Option<&Wall>) -> Option<S
     let (acts, answers) = (device.lag(), wall.map_or(0, |wall| wall.lag));
     let rows = |rows: usize| {
         let time = found(1e3 * recording.period * rows as f64);
-        format!("{rows} row{} ({time} ms)", if rows == 1 { "" } else { "s" })
+        format!("{} ({time} ms)", counted(rows, "row"))
     };
     match (acts, answers) {
         (0, 0) => None,

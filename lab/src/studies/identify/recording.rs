@@ -4,9 +4,7 @@ use std::io::Read;
 
 use super::Settings;
 use super::stretch::Stretch;
-use crate::files::log::{
-    BadRows, Column, Entry, Log, LogError, Reason, Sample, TimeStep, median_period,
-};
+use crate::files::log::{BadRows, Column, Entry, Log, LogError, Sample, TimeStep, median_period};
 use crate::measure::Oddity;
 use crate::measure::sanity::LogSigns;
 
@@ -53,15 +51,9 @@ impl Recording {
                     spans = true;
                 }
                 Entry::Good(sample) => {
-                    let last = rows.last().map(|it| it.0);
-                    if let Some(last) = last
-                        && !last.is_before(&sample)
-                    {
-                        let (time, line) = (sample.t, last.line);
-                        let reason = Reason::Order { time, last: last.t, line };
-                        return Err(
-                            LogError::at(name, sample.line, reason).with_help(reason.remedy())
-                        );
+                    if let Some(reason) = rows.last().and_then(|(last, _)| last.disorder(&sample)) {
+                        let help = reason.remedy();
+                        return Err(LogError::at(name, sample.line, reason).with_help(help));
                     }
                     signs.add(&sample);
                     rows.push((sample, std::mem::take(&mut spans)));

@@ -67,17 +67,17 @@ impl Candidate {
             _ => Err(LogError::new(format!("the damping is {} N.s/m", given(damping)))
                 .with_help("give a damping from 0 to 1e50 N.s/m")),
         };
-        Ok(Credited(match self {
-            Self::Spring => Credit::None,
-            Self::DeviceDamping { damping } => Credit::Always(damper(damping)?),
+        Ok(match self {
+            Self::Spring => Credited::Nothing,
+            Self::DeviceDamping { damping } => Credited::Always(damper(damping)?),
             Self::MassSpringDamper { damping, surface } if surface.is_finite() => {
-                Credit::InContact(damper(damping)?.gated(InContact { position: surface }))
+                Credited::InContact(damper(damping)?.gated(InContact { position: surface }))
             }
             Self::MassSpringDamper { surface, .. } => {
                 return Err(LogError::new(format!("the surface is at {surface} m"))
                     .with_help("give its position as a finite number"));
             }
-        }))
+        })
     }
 
     /// Its name in a scene file.
@@ -92,11 +92,8 @@ impl Candidate {
 
 /// The port's energy with the candidate's credit.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Credited(Credit);
-
-#[derive(Clone, Copy, Debug)]
-enum Credit {
-    None,
+pub(super) enum Credited {
+    Nothing,
     Always(Dissipation<f64>),
     InContact(Dissipation<f64, InContact<f64>>),
 }
@@ -104,10 +101,10 @@ enum Credit {
 impl Credited {
     /// The credit over a sample, J.
     pub(super) fn credit(&mut self, sample: &PortSample<f64>) -> f64 {
-        match &mut self.0 {
-            Credit::None => 0.0,
-            Credit::Always(damper) => damper.decrease(sample),
-            Credit::InContact(damper) => damper.decrease(sample),
+        match self {
+            Self::Nothing => 0.0,
+            Self::Always(damper) => damper.decrease(sample),
+            Self::InContact(damper) => damper.decrease(sample),
         }
     }
 }

@@ -29,12 +29,7 @@ impl Marks {
         };
         self.resolution = (2.0 * self.resolution).max((last.1 - first.0) / MOST as f64);
         let all = std::mem::take(&mut self.stretches);
-        for (from, to) in all {
-            match self.stretches.last_mut() {
-                Some(last) if from - last.1 <= self.resolution => last.1 = to,
-                _ => self.stretches.push((from, to)),
-            }
-        }
+        all.into_iter().for_each(|(from, to)| self.add(from, to));
     }
 
     /// Whether there are none.

@@ -1,12 +1,10 @@
 //! Curves of a log, thinned while it is read.
 
-use std::path::Path;
-
 use super::marks::Marks;
 use super::report::Report;
 use crate::files::log::Sample;
 use crate::show::envelope::Envelope;
-use crate::text::prefix;
+use crate::text::{file_name, prefix};
 use lyapunov_figures::{Figure, Guide, Inset, Panel, Series};
 
 /// Curves of a log, in a bounded number of points.
@@ -101,8 +99,7 @@ impl Traces {
             }
             None => energy,
         };
-        let title = Path::new(&report.log).file_name().map(|name| name.to_string_lossy());
-        let figure = Figure::new(title.unwrap_or_default())
+        let figure = Figure::new(file_name(&report.log))
             .with_width(840.0)
             .with_panel_height(190.0)
             .with_panel(

@@ -10,7 +10,7 @@ use super::report::{ConstantDamper, Energy, Report};
 use super::step::{Gaps, Step};
 use super::tally::Tally;
 use super::traces::Traces;
-use crate::files::log::{Bad, BadRows, Entry, LogError, Reason, Sample, median_period};
+use crate::files::log::{Bad, BadRows, Entry, LogError, Sample, median_period};
 use crate::measure::sanity::LogSigns;
 
 /// Number of steps that the median period is estimated from; they wait until it is known.
@@ -62,10 +62,8 @@ impl Watch {
 
     fn good(&mut self, reading: &Sample) {
         if let Some(last) = self.last {
-            if !last.is_before(reading) {
-                let (line, time) = (reading.line, reading.t);
-                let reason = Reason::Order { time, last: last.t, line: last.line };
-                return self.bad(&Bad { line, reason, time: None, force: None });
+            if let Some(reason) = last.disorder(reading) {
+                return self.bad(&Bad { line: reading.line, reason, time: None, force: None });
             }
             let (least, most) = self.forces.take().unwrap_or((last.f, last.f));
             let forces = (least.min(last.f), most.max(last.f));

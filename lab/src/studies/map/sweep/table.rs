@@ -63,12 +63,8 @@ impl Sweep {
 
     /// A row for each value and stabilizer.
     pub(super) fn runs(&self) -> Table {
-        let heading = |column: Column| match column {
-            Column::Verdict => Heading::word(column.heading()),
-            _ => Heading::number(column.heading()),
-        };
         let first = [Heading::word("stabilizer"), Heading::number(&self.x.key[..])];
-        let headings = first.into_iter().chain(COLUMNS.map(heading));
+        let headings = first.into_iter().chain(COLUMNS.map(Column::heading));
         let rows = self.rows().map(|(value, score)| {
             let cells = COLUMNS.map(|column| column.cell(score));
             let first = [score.stabilizer.as_str().into(), given(value).to_string().into()];

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::files::Scene;
 use crate::files::log::{
-    BadRows, Columns, Entry, Log, LogError, Reason, Role, Sample, Scale, TimeStep, median_period,
+    BadRows, Columns, Entry, Log, LogError, Role, Sample, Scale, TimeStep, median_period,
 };
 use crate::files::scene::{Conflict, Draft, Finite};
 use crate::measure::sanity::LogSigns;
@@ -276,12 +276,9 @@ fn next<R: Read>(
         match log.read().map_err(|error| LogError::unreadable(name, &error))? {
             None => return Ok(None),
             Some(Entry::Bad(row)) => bad.add(row.line, &row.reason),
-            Some(Entry::Good(row)) => match last {
-                Some(last) if !last.is_before(&row) => {
-                    let (time, line) = (row.t, last.line);
-                    bad.add(row.line, &Reason::Order { time, last: last.t, line });
-                }
-                _ => return Ok(Some(row)),
+            Some(Entry::Good(row)) => match last.and_then(|last| last.disorder(&row)) {
+                Some(reason) => bad.add(row.line, &reason),
+                None => return Ok(Some(row)),
             },
         }
     }
