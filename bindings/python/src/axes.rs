@@ -99,7 +99,7 @@ macro_rules! in_variant {
         fn of_sample(sample: &AnySample) -> PyResult<&CheckedSample<Self>> {
             match sample {
                 AnySample::$variant(sample) => Ok(sample),
-                other => Err(differs("sample", other.axes(), $count)),
+                other => Err(differs("sample has", other.axes(), "block", $count)),
             }
         }
 
@@ -110,21 +110,21 @@ macro_rules! in_variant {
         fn of_correction(correction: &AnyCorrection) -> PyResult<&Correction<Self>> {
             match correction {
                 AnyCorrection::$variant(correction) => Ok(correction),
-                other => Err(differs("correction", other.axes(), $count)),
+                other => Err(differs("correction has", other.axes(), "block", $count)),
             }
         }
 
         fn member(member: &mut AnyMember) -> PyResult<&mut Member<Self, Candidate>> {
             match member {
                 AnyMember::$variant(member) => Ok(member),
-                other => Err(differs("array", $count, other.axes())),
+                other => Err(differs("array has", $count, "block", other.axes())),
             }
         }
 
         fn readings(readings: &mut Readings) -> PyResult<&mut Kinds<Self>> {
             match &mut readings.readings {
                 AnyReadings::$variant(kinds) => Ok(kinds),
-                other => Err(others(other.axes(), $count)),
+                other => Err(differs("readings have", other.axes(), "stabilizer", $count)),
             }
         }
     };
@@ -240,19 +240,11 @@ pub(crate) fn unmasked(array: &Bound<'_, PyUntypedArray>, name: &str) -> PyResul
     }
 }
 
-/// The error of a value of `found` axes where `wanted` are right.
-fn differs(what: &str, found: usize, wanted: usize) -> PyErr {
+/// The error of what has `found` axes, as in "sample has", for what has `wanted`, as a "block".
+fn differs(what_has: &str, found: usize, whom: &str, wanted: usize) -> PyErr {
     let axes = if found == 1 { "axis" } else { "axes" };
     errors::input(format!(
-        "the {what} has {found} {axes} and the block {wanted}; make both with the same axes="
-    ))
-}
-
-/// The error of readings of `found` axes for a stabilizer of `wanted`.
-fn others(found: usize, wanted: usize) -> PyErr {
-    let axes = if found == 1 { "axis" } else { "axes" };
-    errors::input(format!(
-        "the readings have {found} {axes} and the stabilizer {wanted}; make both with the same axes="
+        "the {what_has} {found} {axes} and the {whom} {wanted}; make both with the same axes="
     ))
 }
 

@@ -26,28 +26,12 @@ where
     }
 }
 
-/// The same of 0 or more.
-fn whole<'py, T>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<T>
-where
-    T: Fits + From<u8> + PartialOrd + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
-{
-    ranged(value, name, 0)
-}
-
-/// The same of 1 or more.
-fn count<'py, T>(value: &Bound<'py, PyAny>, name: &str) -> PyResult<T>
-where
-    T: Fits + From<u8> + PartialOrd + for<'a> FromPyObject<'a, 'py, Error = PyErr>,
-{
-    ranged(value, name, 1)
-}
-
 /// A number of axes.
 pub(crate) fn axes(value: &Bound<'_, PyAny>) -> PyResult<usize> {
     value.extract().map_err(|error: PyErr| {
         match error.is_instance_of::<PyOverflowError>(value.py()) {
             true => no_block_of(value),
-            false => whole::<usize>(value, "axes").err().unwrap_or(error),
+            false => ranged::<usize>(value, "axes", 0).err().unwrap_or(error),
         }
     })
 }
@@ -76,26 +60,26 @@ impl Fits for usize {
     }
 }
 
-/// Readers of the arguments with these names, whole numbers or counts.
+/// Readers of the arguments with these names, each so much or more.
 macro_rules! arguments {
-    ($read:ident of $($name:ident: $type:ty),+ $(,)?) => {$(
+    ($least:literal or more: $($name:ident: $type:ty),+ $(,)?) => {$(
         pub(crate) fn $name(value: &Bound<'_, PyAny>) -> PyResult<$type> {
-            $read(value, stringify!($name))
+            ranged(value, stringify!($name), $least)
         }
     )+};
 }
 
-arguments!(whole of delay: u32, seed: u64, ticks: u64);
-arguments!(count of loops: usize, members: u64);
+arguments!(0 or more: delay: u32, seed: u64, ticks: u64);
+arguments!(1 or more: loops: usize, members: u64);
 
 /// Readers of the arguments with these names, which may be left out.
 macro_rules! choices {
-    ($read:ident of $($reader:ident $name:literal: $type:ty),+ $(,)?) => {$(
+    ($least:literal or more: $($reader:ident $name:literal: $type:ty),+ $(,)?) => {$(
         pub(crate) fn $reader(value: &Bound<'_, PyAny>) -> PyResult<Option<$type>> {
-            (!value.is_none()).then(|| $read(value, $name)).transpose()
+            (!value.is_none()).then(|| ranged(value, $name, $least)).transpose()
         }
     )+};
 }
 
-choices!(whole of runs_if_any "runs": u32, seed_if_any "seed": u64, trials_if_any "trials": u32);
-choices!(count of threads_if_any "threads": usize);
+choices!(0 or more: runs_if_any "runs": u32, seed_if_any "seed": u64, trials_if_any "trials": u32);
+choices!(1 or more: threads_if_any "threads": usize);

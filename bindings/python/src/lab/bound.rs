@@ -14,16 +14,12 @@ pub(crate) fn bound(py: Python<'_>, scene: &Bound<'_, Scene>) -> PyResult<Told> 
     wait(py, None, 1, move |_| {
         let limits = Limits::of(&scene);
         let curve = RadiusCurve::of(&scene, &limits);
+        let columns = curve.as_ref().map(|curve| Columns::of_csv(&curve.csv(), Kinds::default()));
         Ok(Told {
             json: limits.to_json(&name),
             text: format!("{name}\n{limits}"),
             figures: curve.iter().map(|curve| curve.figure(&name).to_svg()).collect(),
-            columns: curve
-                .map_or_else(
-                    || Ok(Columns::default()),
-                    |curve| Columns::of_csv(&curve.csv(), Kinds::default()),
-                )?
-                .into(),
+            columns: columns.transpose()?.unwrap_or_default().into(),
             ..Told::default()
         })
     })

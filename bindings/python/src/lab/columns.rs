@@ -8,6 +8,9 @@ use pyo3::types::{PyDict, PyList, PyString};
 
 use crate::errors;
 
+/// The most rows of a table.
+pub(super) const MOST_ROWS: u64 = 10_000_000;
+
 /// Column of a table.
 #[derive(Clone, Debug)]
 pub(crate) enum Column {

@@ -5,15 +5,12 @@ use lyapunov_lab::{Ensemble, Moves, Rollout, Summary, in_space, scene as lab};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
-use super::columns::{Column, Columns};
+use super::columns::{Column, Columns, MOST_ROWS};
 use super::work::{Fault, wait};
 use super::{Scene, Told};
 use crate::errors;
 use crate::number;
 use crate::whole;
-
-/// The most members of a call.
-const MOST: u64 = 10_000_000;
 
 /// The runs of `count` members of an ensemble, from number `first` on.
 #[pyfunction]
@@ -47,9 +44,10 @@ pub(crate) fn ensemble(
         stiffness: stiffness.unwrap_or(usual.stiffness),
     };
     check(&moves)?;
-    if count > MOST {
+    if count > MOST_ROWS {
         return Err(errors::input(format!(
-            "members is {count}; a table has at most {MOST} rows, one for each\n  = give fewer, or several calls with a seed of their own"
+            "members is {count}; a table has at most {MOST_ROWS} rows, one for each\n  = give fewer, or several calls with a \
+             seed of their own"
         )));
     }
     let ensemble = Ensemble { seed, moves };

@@ -8,7 +8,7 @@ use lyapunov_lab::map::{
 use lyapunov_lab::scene as lab;
 use pyo3::prelude::*;
 
-use super::columns::{Column, Columns, Words};
+use super::columns::{Column, Columns, MOST_ROWS, Words};
 use super::compare::scored;
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
@@ -39,16 +39,13 @@ pub(crate) fn map(
         }
         Some(y) => {
             let grid = grid_of(&name, scene, x, y.parse().map_err(errors::input)?, &names)?;
-            fits(("cell", grid.cells(), MOST), &grid.stabilizers, FILES)?;
+            fits(("cell", grid.cells(), MOST_ROWS), &grid.stabilizers, FILES)?;
             wait(py, progress, grid.cells(), move |watched| mapped(&grid, &name, threads, watched))
         }
     }
 }
 
-/// The most rows of a map's table.
-const MOST: u64 = 10_000_000;
-
-/// The same of a sweep, which holds the scene of each.
+/// The most rows of a sweep, which holds the scene of each.
 const SWEPT: u64 = 1_000_000;
 
 /// Remedy for a map of more rows: where those go.
@@ -143,7 +140,7 @@ pub(super) fn told(survey: &Survey, computation: Option<&Computation>) -> Result
 /// The columns of words in map.csv.
 const WORDS: [&str; 3] = ["stabilizer", "verdict", "verdict_by"];
 
-/// The rows of map.csv; none of a map that has more than [`MOST`].
+/// The rows of map.csv; none of a map that has more than [`MOST_ROWS`].
 #[derive(Debug, Default)]
 pub(super) struct Rows {
     count: u64,
@@ -155,7 +152,7 @@ pub(super) struct Rows {
 impl Rows {
     pub(super) fn add(&mut self, grid: &Grid, cell: u64, outcomes: &[Outcome]) {
         self.count += outcomes.len() as u64;
-        if self.count > MOST {
+        if self.count > MOST_ROWS {
             *self = Self { count: self.count, ..Self::default() };
             return;
         }
@@ -176,7 +173,7 @@ impl Rows {
     }
 
     pub(super) fn columns(self, grid: &Grid) -> Columns {
-        if self.count > MOST {
+        if self.count > MOST_ROWS {
             return Columns::default();
         }
         let axes = [&grid.x.key, &grid.y.key].map(String::clone);

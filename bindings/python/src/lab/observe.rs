@@ -110,6 +110,8 @@ pub(crate) fn observe(
             return Err(Fault::Stopped);
         }
         let observed = observed.map_err(Fault::input)?;
+        let replay = observed.report.replay.as_ref();
+        let further = replay.map(|replay| Columns::of_csv(&replay.csv(), REPLAYED)).transpose()?;
         Ok(Told {
             json: observed.report.to_json(),
             text: format!("{}\n", observed.report),
@@ -119,15 +121,7 @@ pub(crate) fn observe(
                 .map(|figure| figure.to_svg())
                 .collect(),
             columns: Columns::of_csv(&observed.csv(), Kinds::default())?.into(),
-            further: observed
-                .report
-                .replay
-                .as_ref()
-                .map_or_else(
-                    || Ok(Columns::default()),
-                    |replay| Columns::of_csv(&replay.csv(), REPLAYED),
-                )?
-                .into(),
+            further: further.unwrap_or_default().into(),
             ..Told::default()
         })
     })

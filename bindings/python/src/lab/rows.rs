@@ -3,11 +3,8 @@
 use lyapunov_lab::{RowFile, scene as lab};
 use pyo3::exceptions::PyMemoryError;
 
-use super::columns::{Column, Columns};
+use super::columns::{Column, Columns, MOST_ROWS};
 use super::work::Fault;
-
-/// The most rows of a table.
-const MOST: u64 = 10_000_000;
 
 /// The column of truths.
 const ACCEPTED: &str = "accepted";
@@ -34,8 +31,8 @@ impl Rows {
                 1e-9 * bytes
             )
         };
-        if rows > MOST {
-            return Err(Fault::input(told(&format!("a table has at most {MOST} rows"))));
+        if rows > MOST_ROWS {
+            return Err(Fault::input(told(&format!("a table has at most {MOST_ROWS} rows"))));
         }
         let columns = names.iter().map(|name| Some((name.clone(), room(name, rows as usize)?)));
         let columns: Option<Vec<_>> = columns.collect();
