@@ -158,12 +158,10 @@ impl Case {
     /// # Errors
     /// A case that is not well-formed.
     pub fn row_of(&self, member: StabilizerName) -> Result<Option<Row>, HardError> {
-        let runs = match self.trial.under(member) {
-            Err(HardError::NoPart) => return Ok(None),
-            runs => runs?,
-        };
-        let Some(runs) = runs else { return Ok(None) };
-        self.judged(&runs, self.trial.promised_by(member)?).map(Some)
+        match self.trial.under(member) {
+            Err(HardError::NoPart) => Ok(None),
+            runs => self.judged(&runs?, self.trial.promised_by(member)?).map(Some),
+        }
     }
 
     /// The result in `f64` with your own stabilizer, made anew for every run; none where the case is not about one

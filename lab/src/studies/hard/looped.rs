@@ -27,17 +27,7 @@ const SHARES: [f64; 4] = [1.0, 0.97, 0.93, 0.88];
 
 impl Looped {
     fn scene(&self, share: f64) -> Result<Scene, HardError> {
-        let scene = Scene::parse(&self.text, "a hard case")?;
-        let moved = |from: f64| Finite::new(from * share).map(Into::into);
-        let mut draft = scene.to_draft();
-        let initial = &mut draft.initial;
-        // A share of a number in range is in range too.
-        (initial.position, initial.velocity) =
-            match (moved(initial.position.get()), moved(initial.velocity.get())) {
-                (Ok(position), Ok(velocity)) => (position, velocity),
-                _ => return Ok(scene),
-            };
-        Ok(draft.check().unwrap_or(scene))
+        Ok(from_start(&Scene::parse(&self.text, "a hard case")?, share))
     }
 
     fn named<V: Space>(&self, share: f64) -> Result<Vec<Tally>, HardError> {
@@ -54,9 +44,23 @@ impl Looped {
         if !member.fits(&scene) {
             return Err(HardError::NoPart);
         }
-        let pledge = member::pledge_on::<T>(member, &scene);
+        let pledge = member::pledge_on::<T>(member.table(&scene), &scene);
         Ok(looped::<T>(&scene, self.rest, pledge, member.on(&scene)?)?)
     }
+}
+
+/// The same scene from a `share` of its start.
+pub(super) fn from_start(scene: &Scene, share: f64) -> Scene {
+    let moved = |from: f64| Finite::new(from * share).map(Into::into);
+    let mut draft = scene.to_draft();
+    let initial = &mut draft.initial;
+    if let (Ok(position), Ok(velocity)) =
+        (moved(initial.position.get()), moved(initial.velocity.get()))
+    {
+        (initial.position, initial.velocity) = (position, velocity);
+    }
+    // A share of a start is a start.
+    draft.check().unwrap_or_else(|_| scene.clone())
 }
 
 /// Measurements of the loop of `scene` under `stabilizer`, with swings measured from `rest`, lane by lane.
@@ -78,7 +82,7 @@ fn looped<V: Space>(
 
 /// The pledge of the stabilizer that a scene names.
 pub(super) fn named_in<V: Space>(scene: &Scene) -> Pledge {
-    member::pledge_in::<V::Scalar>(scene)
+    member::pledge_on::<V::Scalar>(scene.stabilizer, scene)
 }
 
 /// The terms of a run of `scene`, with swings measured from `rest`.
@@ -115,13 +119,13 @@ impl Trial for Looped {
         Ok(runs)
     }
 
-    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, member: StabilizerName) -> Result<Runs, HardError> {
         let mut runs = Runs::default();
         for share in SHARES {
             runs.double.append(&mut self.of_family::<f64>(member, share)?);
             runs.single.append(&mut self.of_family::<f32>(member, share)?);
         }
-        Ok(Some(runs))
+        Ok(runs)
     }
 
     fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {

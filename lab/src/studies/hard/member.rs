@@ -3,7 +3,7 @@
 use lyapunov::{Dissipation, Lolc, Popc, PortEnergy, Scalar, stabilizers::NoStabilizer};
 
 use super::trial::HardError;
-use crate::files::scene::{Basis, Pledge, Scene};
+use crate::files::scene::{Basis, Pledge, Scene, Stabilizer};
 use crate::simulate::family::{BasicName, StabilizerName};
 use crate::simulate::{AnyStabilizer, Fitted, Instructions, Space};
 
@@ -53,16 +53,9 @@ pub(super) fn pledge_of<T: Scalar>(member: StabilizerName, basis: &Basis) -> Ple
     }
 }
 
-/// Pledge of `member` on the loop of `scene`.
-pub(super) fn pledge_on<T: Scalar>(member: StabilizerName, scene: &Scene) -> Pledge {
-    let table = member.table(scene);
+/// Pledge of the stabilizer with this table on the loop of `scene`.
+pub(super) fn pledge_on<T: Scalar>(table: Option<Stabilizer>, scene: &Scene) -> Pledge {
     let pledge = table.map(|table| table.kind().pledge(&Basis::of(scene)));
-    pledge.map_or(Pledge::POPC, in_scalar::<T>)
-}
-
-/// Pledge of the stabilizer that `scene` names.
-pub(super) fn pledge_in<T: Scalar>(scene: &Scene) -> Pledge {
-    let pledge = scene.stabilizer.map(|table| table.kind().pledge(&Basis::of(scene)));
     pledge.map_or(Pledge::POPC, in_scalar::<T>)
 }
 

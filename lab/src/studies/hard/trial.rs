@@ -77,11 +77,8 @@ const STARTS: usize = 8;
 impl Runs {
     /// All runs of `program`: start by start in scalars, and all starts at once in lanes.
     pub(super) fn of(program: &impl EveryScalar) -> Result<Self, HardError> {
-        let mut runs = Self::default();
-        for first in 0..STARTS {
-            runs.double.append(&mut program.ours_in::<f64>(first)?);
-            runs.single.append(&mut program.ours_in::<f32>(first)?);
-        }
+        let double = |first| program.ours_in::<f64>(first);
+        let mut runs = Self::of_scalars(double, |first| program.ours_in::<f32>(first))?;
         runs.double_lanes = program.ours_in::<AutoF64x8>(0)?;
         runs.single_lanes = program.ours_in::<AutoF32x8>(0)?;
         Ok(runs)
@@ -130,8 +127,11 @@ pub(super) trait Trial: Send + Sync {
     /// Runs with our stabilizer, in every scalar.
     fn ours(&self) -> Result<Runs, HardError>;
 
-    /// Runs with a member of the family, in `f64` and `f32`; none where it takes no part.
-    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError>;
+    /// Runs with a member of the family, in `f64` and `f32`.
+    ///
+    /// # Errors
+    /// [`HardError::NoPart`] of one that takes no part; a case that is not well-formed.
+    fn under(&self, member: StabilizerName) -> Result<Runs, HardError>;
 
     /// Whether the bound is a promise of `member`.
     fn promised_by(&self, member: StabilizerName) -> Result<bool, HardError> {
@@ -234,10 +234,10 @@ impl<P: Play> Trial for Played<P> {
         Runs::of(self)
     }
 
-    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, member: StabilizerName) -> Result<Runs, HardError> {
         let double = |first| self.of_family::<f64>(member, first);
         let single = |first| self.of_family::<f32>(member, first);
-        Runs::of_scalars(double, single).map(Some)
+        Runs::of_scalars(double, single)
     }
 
     fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {

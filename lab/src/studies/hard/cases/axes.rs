@@ -124,14 +124,14 @@ impl Trial for Masking {
         Runs::of(self)
     }
 
-    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, member: StabilizerName) -> Result<Runs, HardError> {
         // No member of the family watches all axes at once.
         if !self.per_axis {
-            return Ok(None);
+            return Err(HardError::NoPart);
         }
         let double = |first| per_axis::<f64>(member, first);
         let single = |first| per_axis::<f32>(member, first);
-        Runs::of_scalars(double, single).map(Some)
+        Runs::of_scalars(double, single)
     }
 
     fn with(&self, _own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {

@@ -165,15 +165,15 @@ impl Trial for Guarded {
         })
     }
 
-    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, member: StabilizerName) -> Result<Runs, HardError> {
         let basis = &self.0.basis();
         let [double, single] =
             [member::pledge_of::<f64>(member, basis), member::pledge_of::<f32>(member, basis)];
-        Ok(Some(Runs {
+        Ok(Runs {
             double: self.in_turn::<f64, _>(&double, || member::set_by::<f64>(member, basis))?,
             single: self.in_turn::<f32, _>(&single, || member::set_by::<f32>(member, basis))?,
             ..Runs::default()
-        }))
+        })
     }
 
     fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {

@@ -116,10 +116,10 @@ impl Trial for Scaled {
         Runs::of(self)
     }
 
-    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, member: StabilizerName) -> Result<Runs, HardError> {
         let double = |first| self.of_family::<f64>(member, first);
         let single = |first| self.of_family::<f32>(member, first);
-        Runs::of_scalars(double, single).map(Some)
+        Runs::of_scalars(double, single)
     }
 
     fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {

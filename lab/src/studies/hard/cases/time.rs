@@ -77,9 +77,9 @@ impl Trial for Counted {
         Ok(Runs { double: vec![double], single: vec![single], ..Runs::default() })
     }
 
-    fn under(&self, _member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, _member: StabilizerName) -> Result<Runs, HardError> {
         // The case is about the ledger's summation, which a member does not choose.
-        Ok(None)
+        Err(HardError::NoPart)
     }
 
     fn with(&self, _own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
@@ -153,9 +153,9 @@ impl Trial for Hour {
         Ok(Runs { double: vec![double], single: vec![single], ..Runs::default() })
     }
 
-    fn under(&self, _member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, _member: StabilizerName) -> Result<Runs, HardError> {
         // The case is about the ledger's summation, which a member does not choose.
-        Ok(None)
+        Err(HardError::NoPart)
     }
 
     fn with(&self, _own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {
@@ -260,14 +260,14 @@ impl Trial for Stamped {
         self.0.ours()
     }
 
-    fn under(&self, member: StabilizerName) -> Result<Option<Runs>, HardError> {
+    fn under(&self, member: StabilizerName) -> Result<Runs, HardError> {
         let Self(Played(late)) = self;
         let mut runs = Runs::default();
         for first in 0..8 {
             runs.double.push(late.both::<f64>(member, first)?);
             runs.single.push(late.both::<f32>(member, first)?);
         }
-        Ok(Some(runs))
+        Ok(runs)
     }
 
     fn with(&self, own: MakeStabilizer<'_>) -> Result<Option<Tally>, HardError> {

@@ -31,6 +31,11 @@ pub(super) fn table<const N: usize>(keys: [(&str, Value); N]) -> Table {
     keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect()
 }
 
+/// A table of numbers with these keys.
+pub(super) fn numbers<const N: usize>(keys: [(&str, f64); N]) -> Table {
+    table(keys.map(|(key, number)| (key, number.into())))
+}
+
 /// A table with one table in it.
 pub(super) fn only(key: &str, inner: Table) -> Table {
     table([(key, inner.into())])

@@ -3,14 +3,14 @@
 use toml::Table;
 
 use super::draw::Draw;
-use super::drawn::{only, place, table};
+use super::drawn::{numbers, only, place, table};
 use super::size::Size;
 
 /// An environment for as many axes.
 pub(super) fn drawn(draw: &mut Draw, size: &Size, axes: usize) -> Table {
     let stiffness = draw.decades(-4.0, 1.5) * size.stiffness();
     let damping = if draw.chance(0.5) { draw.decades(-4.0, 0.3) * size.damping() } else { 0.0 };
-    let matter = table([("stiffness", stiffness.into()), ("damping", damping.into())]);
+    let matter = numbers([("stiffness", stiffness), ("damping", damping)]);
     let (name, mut keys) = match axes {
         1 => on_a_line(draw, size, matter),
         several => in_space(draw, size, several, matter),
@@ -27,11 +27,11 @@ fn on_a_line(draw: &mut Draw, size: &Size, matter: Table) -> (&'static str, Tabl
     let share = draw.between(0.0, 1.0);
     let (length, most) = (size.length, stiffness.as_float().unwrap_or(0.0));
     let rate = draw.decades(-3.0, -0.5) * size.rate;
-    let swing = [("amplitude", (share * length).into()), ("frequency", rate.into())];
+    let swing = numbers([("amplitude", share * length), ("frequency", rate)]);
     let with = |more: Table| matter.clone().into_iter().chain(more).collect::<Table>();
     match draw.below(14) {
-        0 => ("spring", table([("stiffness", (most * draw.pick(&[1.0, 1.0, -0.01])).into())])),
-        1 => ("mass-spring-damper", with(table([("mass", (0.3 * share * size.mass).into())]))),
+        0 => ("spring", numbers([("stiffness", most * draw.pick(&[1.0, 1.0, -0.01]))])),
+        1 => ("mass-spring-damper", with(numbers([("mass", 0.3 * share * size.mass)]))),
         2 => {
             let layers = vec![stiffness, (most * draw.decades(-1.0, 1.0)).into()];
             let layers = table([("depth", (share * length).into()), ("stiffness", layers.into())]);
@@ -42,12 +42,11 @@ fn on_a_line(draw: &mut Draw, size: &Size, matter: Table) -> (&'static str, Tabl
             let damping = draw.decades(-2.0, 1.0) / (length * size.rate);
             let stiffness = most * libm::pow(length, 1.0 - exponent);
             let keys = [("stiffness", stiffness), ("exponent", exponent), ("damping", damping)];
-            ("hunt-crossley", table(keys.map(|(key, number)| (key, number.into()))))
+            ("hunt-crossley", numbers(keys))
         }
-        4 => ("moving-wall", with(table(swing))),
+        4 => ("moving-wall", with(swing)),
         5 => {
-            let keys = [("amplitude", share * most), ("frequency", rate)];
-            let swing = table(keys.map(|(key, number)| (key, number.into())));
+            let swing = numbers([("amplitude", share * most), ("frequency", rate)]);
             ("varying-spring", table([("stiffness", stiffness)]).into_iter().chain(swing).collect())
         }
         6 => {

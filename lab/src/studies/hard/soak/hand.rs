@@ -3,7 +3,7 @@
 use toml::Table;
 
 use super::draw::Draw;
-use super::drawn::{place, table};
+use super::drawn::{numbers, place, table};
 use super::size::Size;
 
 /// The tables of operator, device, link and start.
@@ -11,7 +11,7 @@ pub(super) fn drawn(draw: &mut Draw, size: &Size, axes: usize) -> Table {
     let share = draw.between(0.0, 1.0);
     let damping = draw.decades(-7.0, -1.0) * size.damping();
     let (operator, device) = (share * size.mass, (1.0 - 0.999 * share) * size.mass);
-    let device = table([("mass", device.into()), ("damping", (0.1 * damping).into())]);
+    let device = numbers([("mass", device), ("damping", 0.1 * damping)]);
     let mut hand = table([
         ("mass", operator.into()),
         ("damping", damping.into()),
@@ -32,11 +32,10 @@ pub(super) fn drawn(draw: &mut Draw, size: &Size, axes: usize) -> Table {
     let mut tables =
         table([("operator", hand.into()), ("device", device.into()), ("initial", start.into())]);
     if operator > 0.0 && draw.chance(0.2) {
-        let link = [
+        let link = numbers([
             ("stiffness", draw.decades(-3.0, 1.0) * size.stiffness()),
             ("damping", draw.decades(-4.0, 0.0) * size.damping()),
-        ];
-        let link = table(link.map(|(key, number)| (key, number.into())));
+        ]);
         tables.insert("link".into(), link.into());
     }
     tables
@@ -50,13 +49,13 @@ fn motion(draw: &mut Draw, size: &Size) -> Table {
         0 => table([("kind", "step".into()), ("at", at.into()), ("to", to.into())]),
         1 => {
             let rate = draw.decades(-3.0, 0.0) * size.length * size.rate;
-            let way = [("at", at.into()), ("to", to.into()), ("rate", rate.into())];
-            [("kind".to_owned(), "ramp".into())].into_iter().chain(table(way)).collect()
+            let way = numbers([("at", at), ("to", to), ("rate", rate)]);
+            [("kind".to_owned(), "ramp".into())].into_iter().chain(way).collect()
         }
         _ => {
             let frequency = draw.decades(-3.0, -0.5) * size.rate;
-            let swing = [("amplitude", to.into()), ("frequency", frequency.into())];
-            [("kind".to_owned(), "sine".into())].into_iter().chain(table(swing)).collect()
+            let swing = numbers([("amplitude", to), ("frequency", frequency)]);
+            [("kind".to_owned(), "sine".into())].into_iter().chain(swing).collect()
         }
     }
 }

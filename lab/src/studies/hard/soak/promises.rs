@@ -6,10 +6,11 @@ use nalgebra::SVector;
 use super::breach::Breach;
 use super::ticks::{Ran, ticks};
 use crate::files::Scene;
-use crate::files::scene::{Finite, Integrator};
+use crate::files::scene::Integrator;
 use crate::measure::balance::Trial;
 use crate::measure::runs::{AllMeasures, Judged, Measures, Runs, has_lanes};
 use crate::simulate::{F64x8, Instructions, Space};
+use crate::studies::hard::looped::from_start;
 
 /// Share of the energies moved that may be left over: that of a rounding on every tick, and more.
 const REST: f64 = 1e-9;
@@ -51,20 +52,6 @@ fn on_a_line(scene: &Scene) -> Result<Option<Breach>, ParameterError> {
         }
     }
     measures(&starts)
-}
-
-/// The same scene from a `share` of its start.
-fn from_start(scene: &Scene, share: f64) -> Scene {
-    let moved = |from: f64| Finite::new(from * share).map(Into::into);
-    let mut draft = scene.to_draft();
-    let initial = &scene.initial;
-    if let (Ok(position), Ok(velocity)) =
-        (moved(initial.position.get()), moved(initial.velocity.get()))
-    {
-        (draft.initial.position, draft.initial.velocity) = (position, velocity);
-    }
-    // A share of a start is a start.
-    draft.check().unwrap_or_else(|_| scene.clone())
 }
 
 /// The promises of scalar runs.
