@@ -5,10 +5,9 @@ use std::ops::Range;
 
 use lyapunov::ParameterError;
 use rayon::prelude::*;
-use toml::Value;
 
 use super::axis::Axis;
-use super::varied::{Variation, Varied};
+use super::varied::Variation;
 use super::vary::{VaryError, no_scene};
 use crate::files::Scene;
 use crate::files::scene::Conflict;
@@ -124,12 +123,7 @@ impl Grid {
             return Err(GridError::SameKey(x.key));
         }
         let members = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
-        members.iter().try_for_each(|it| it.check_axes(&scene)).map_err(GridError::Axes)?;
-        let tree =
-            Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
-        let numbers = [&x, &y].map(|axis| Varied::of(axis, &tree, &scene, &members));
-        let numbers = numbers.into_iter().collect::<Result<_, _>>()?;
-        let variation = Variation::new(scene.clone(), tree, numbers);
+        let variation = Variation::of(&scene, &[&x, &y], &members)?;
         let window = [0..x.count, 0..y.count];
         Ok(Self { scene, x, y, stabilizers: members, variation, window })
     }

@@ -84,9 +84,7 @@ impl<W: Write> Merge<W> {
     /// # Errors
     /// A table that cannot be read; a place that cannot be written to.
     pub fn begin(path: &Path, out: W, place: &Path) -> Result<Self, MergeError> {
-        let (_, head) = open(path)?;
-        let (grid, Shard { count, .. }) =
-            head.parse().map_err(|error| CheckpointError::Table(path.to_owned(), error))?;
+        let (_, head, grid, Shard { count, .. }) = open(path)?;
         let (next, survey) = (Shard { index: 0, count }, Survey::of(&grid));
         let (first, place) = (path.to_owned(), place.to_owned());
         let mut merge = Self { head, first, next, survey, out: BufWriter::new(out), place };
@@ -96,9 +94,7 @@ impl<W: Write> Merge<W> {
 
     /// The rows at `path`, whose table is a shard of this map.
     fn opened(&self, path: &Path) -> Result<(BufReader<File>, Shard), MergeError> {
-        let (rows, head) = open(path)?;
-        let (_, shard) =
-            head.parse().map_err(|error| CheckpointError::Table(path.to_owned(), error))?;
+        let (rows, head, _, shard) = open(path)?;
         if !self.head.is_kin(&head) || shard.count != self.next.count {
             return Err(MergeError::Strangers(self.first.clone(), path.to_owned()));
         }
@@ -189,10 +185,12 @@ pub fn merge(
     merge.end()
 }
 
-fn open(path: &Path) -> Result<(BufReader<File>, TableHeader), CheckpointError> {
-    let wrong = |error: TableError| CheckpointError::Table(path.to_owned(), error);
+/// The rows of the table at `path`, its head, and of which grid and shard that is.
+fn open(path: &Path) -> Result<(BufReader<File>, TableHeader, Grid, Shard), CheckpointError> {
+    let wrong = |error| CheckpointError::Table(path.to_owned(), error);
     let file = File::open(path).map_err(|error| wrong(TableError::Unreadable(error)))?;
     let mut lines = BufReader::new(file);
     let head = TableHeader::read(&mut lines).map_err(wrong)?;
-    Ok((lines, head))
+    let (grid, shard) = head.parse().map_err(wrong)?;
+    Ok((lines, head, grid, shard))
 }

@@ -3,6 +3,7 @@
 use toml::Value;
 
 use super::axis::Axis;
+use super::grid::GridError;
 use super::vary::{Vary, VaryError};
 use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames};
@@ -25,14 +26,11 @@ impl Varied {
         scene: &Scene,
         members: &StabilizerNames,
     ) -> Result<Self, VaryError> {
-        let Some((name, key)) =
-            axis.key.strip_prefix("stabilizer.").and_then(|rest| rest.split_once('.'))
-        else {
+        let named = axis.key.strip_prefix("stabilizer.").and_then(|rest| rest.split_once('.'));
+        let is_own = |name: &str| scene.stabilizer.is_some_and(|own| own.name() == name);
+        let Some((name, key)) = named.filter(|(name, _)| !is_own(name)) else {
             return Vary::of(axis, tree).map(Self::OfScene);
         };
-        if scene.stabilizer.is_some_and(|own| own.name() == name) {
-            return Vary::of(axis, tree).map(Self::OfScene);
-        }
         let problem = || format!("`{}` is of no stabilizer that takes part", axis.key);
         let member: StabilizerName =
             name.parse().map_err(|error| VaryError::new(problem(), format!("{error}")))?;
@@ -79,9 +77,21 @@ pub(super) struct Variation {
 }
 
 impl Variation {
-    /// The variation of `scene`, whose TOML tree is `tree`, in `numbers`.
-    pub(super) fn new(scene: Scene, tree: Value, numbers: Vec<Varied>) -> Self {
-        Self { scene, tree, numbers }
+    /// The variation of `scene` along `axes` under `members`.
+    ///
+    /// # Errors
+    /// A member that does not run on so many dimensions; a key that is no number of the scene or of a member.
+    pub(super) fn of(
+        scene: &Scene,
+        axes: &[&Axis],
+        members: &StabilizerNames,
+    ) -> Result<Self, GridError> {
+        members.iter().try_for_each(|it| it.check_axes(scene)).map_err(GridError::Axes)?;
+        let tree = Value::try_from(scene);
+        let tree = tree.map_err(|error| GridError::Unwritten(error.to_string()))?;
+        let numbers = axes.iter().map(|axis| Varied::of(axis, &tree, scene, members));
+        let numbers = numbers.collect::<Result<_, _>>()?;
+        Ok(Self { scene: scene.clone(), tree, numbers })
     }
 
     /// The numbers.

@@ -6,13 +6,12 @@ mod report;
 mod table;
 
 use rayon::prelude::*;
-use toml::Value;
 
 use super::axis::Axis;
 use super::grid::GridError;
 use super::run_error::RunError;
 use super::threads;
-use super::varied::{Variation, Varied};
+use super::varied::Variation;
 use super::vary::{VaryError, no_scene};
 use crate::files::Scene;
 use crate::simulate::family::{StabilizerName, StabilizerNames};
@@ -66,11 +65,7 @@ impl SweepPlan {
         members: impl IntoIterator<Item = impl Into<StabilizerName>>,
     ) -> Result<Self, GridError> {
         let stabilizers = StabilizerNames::of(members).map_err(GridError::StabilizerNames)?;
-        stabilizers.iter().try_for_each(|it| it.check_axes(&scene)).map_err(GridError::Axes)?;
-        let tree =
-            Value::try_from(&scene).map_err(|error| GridError::Unwritten(error.to_string()))?;
-        let number = Varied::of(&x, &tree, &scene, &stabilizers)?;
-        let variation = Variation::new(scene.clone(), tree, vec![number]);
+        let variation = Variation::of(&scene, &[&x], &stabilizers)?;
         let at = |index| {
             let value = x.value(index);
             let bare = variation.scene(&[Some(value)])?;
