@@ -3,10 +3,10 @@
 use crate::files::scene::{Draft, Stabilizer, Wall};
 
 /// Copier of one number from another scene.
-pub(super) type Copy = fn(&mut Draft, &Draft);
+pub(super) type Copier = fn(&mut Draft, &Draft);
 
 /// The numbers by their keys. Those that set the ticks of a run (duration, rates) are the same in a group of lanes.
-const FIELDS: &[(&str, Copy)] = &[
+const FIELDS: &[(&str, Copier)] = &[
     ("operator.mass", |to, from| to.operator.mass = from.operator.mass),
     ("operator.damping", |to, from| to.operator.damping = from.operator.damping),
     ("operator.stiffness", |to, from| to.operator.stiffness = from.operator.stiffness),
@@ -38,7 +38,7 @@ fn wall(to: &mut Draft, from: &Draft, copy: fn(&mut Wall, &Wall)) {
 }
 
 /// Copier of the one number of the stabilizers that the kernel has.
-pub(super) const CAP: Copy = |to, from| match (&mut to.stabilizer, &from.stabilizer) {
+pub(super) const CAP: Copier = |to, from| match (&mut to.stabilizer, &from.stabilizer) {
     (Some(Stabilizer::Popc(to)), Some(Stabilizer::Popc(from))) => {
         to.damping_cap = from.damping_cap;
     }
@@ -49,9 +49,9 @@ pub(super) const CAP: Copy = |to, from| match (&mut to.stabilizer, &from.stabili
 };
 
 /// Copier of a number that the stabilizer at hand does not have.
-pub(super) const NOTHING: Copy = |_, _| {};
+pub(super) const NOTHING: Copier = |_, _| {};
 
 /// Copier of the number `key`; none if lanes cannot differ in it.
-pub(super) fn copier(key: &str) -> Option<Copy> {
+pub(super) fn copier(key: &str) -> Option<Copier> {
     FIELDS.iter().find(|(known, _)| *known == key).map(|(_, copy)| *copy)
 }

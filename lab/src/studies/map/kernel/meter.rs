@@ -11,7 +11,7 @@ use crate::measure::{Fate, Verdict, Watched, Yardstick, device_damper};
 use crate::simulate::Criterion;
 
 /// Meter of a rollout; each type measures no more than is asked for.
-pub(super) trait Meter<T: Fuse> {
+pub(super) trait Meter<T: Fuse>: Sized {
     /// Result of a lane.
     type Reading: Copy + Send;
 
@@ -20,9 +20,7 @@ pub(super) trait Meter<T: Fuse> {
     where
         Self: 'a;
 
-    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError>
-    where
-        Self: Sized;
+    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError>;
 
     /// The ticks that one watch may take from here on, at least one.
     fn room(&mut self) -> u64;

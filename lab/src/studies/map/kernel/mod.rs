@@ -155,7 +155,7 @@ impl Kernel {
         cells: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Vec<(Verdict, Yardstick)>>, ParameterError> {
-        self.run(Run { kernel: self, basic_name, cells, go_on }, Judge)
+        self.run::<Judge>(Run { kernel: self, basic_name, cells, go_on })
     }
 
     /// The same for a scene in `f64`, always on lanes. It is compiled for the caller's crate, so that a program that is built
@@ -170,7 +170,7 @@ impl Kernel {
         cells: &[u64],
     ) -> Result<Vec<(Verdict, Yardstick)>, ParameterError> {
         let run = Run { kernel: self, basic_name, cells, go_on: &|| true };
-        Ok(run.on::<BaseF64s, Judge>(Judge)?.unwrap_or_default())
+        Ok(run.on::<BaseF64s, Judge>()?.unwrap_or_default())
     }
 
     /// Measures of the runs of `cells` under `basic_name`.
@@ -185,29 +185,25 @@ impl Kernel {
         cells: &[u64],
         go_on: &(dyn Fn() -> bool + Sync),
     ) -> Result<Option<Vec<Measures>>, ParameterError> {
-        self.run(Run { kernel: self, basic_name, cells, go_on }, MeasureAll)
+        self.run::<MeasureAll>(Run { kernel: self, basic_name, cells, go_on })
     }
 
-    fn run<W: Watching>(
-        &self,
-        run: Run<'_>,
-        watching: W,
-    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+    fn run<W: Watching>(&self, run: Run<'_>) -> Readings<W::Reading> {
         let is_wide = self.along.base.scalar == Width::F64;
         match (self.lanes, self.instructions) {
-            (Lanes::One, _) if is_wide => run.on::<f64, W>(watching),
-            (Lanes::One, _) => run.on::<f32, W>(watching),
-            (Lanes::Many, Instructions::Base) if is_wide => run.on::<BaseF64s, W>(watching),
-            (Lanes::Many, Instructions::Base) => run.on::<Aligned<AutoF32x16>, W>(watching),
+            (Lanes::One, _) if is_wide => run.on::<f64, W>(),
+            (Lanes::One, _) => run.on::<f32, W>(),
+            (Lanes::Many, Instructions::Base) if is_wide => run.on::<BaseF64s, W>(),
+            (Lanes::Many, Instructions::Base) => run.on::<Aligned<AutoF32x16>, W>(),
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx2(proof)) => {
                 proof.prove();
-                watching.on_vectors::<V3>(run, is_wide)
+                W::on_vectors::<V3>(run, is_wide)
             }
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx512(proof)) => {
                 proof.prove();
-                watching.on_vectors::<V4>(run, is_wide)
+                W::on_vectors::<V4>(run, is_wide)
             }
         }
     }
@@ -271,87 +267,78 @@ struct Run<'a> {
 }
 
 /// Meter of rollouts, on lanes of any scalar.
-trait Watching: std::marker::Copy {
-    type Reading: std::marker::Copy + Send;
+trait Watching {
+    type Reading: Copy + Send;
     type Meter<T: Batch>: Meter<T, Reading = Self::Reading>;
 
-    fn empty(self) -> Self::Reading;
+    fn empty() -> Self::Reading;
 
     /// Runs the rollouts on vectors of instructions that the thread has proven, `f64` or `f32`.
     #[cfg(target_arch = "x86_64")]
-    fn on_vectors<S: Proven>(self, run: Run<'_>, is_wide: bool) -> Readings<Self::Reading>;
+    fn on_vectors<S: Proven>(run: Run<'_>, is_wide: bool) -> Readings<Self::Reading>;
 }
 
 /// A reading of every cell; none if the run was stopped.
-#[cfg(target_arch = "x86_64")]
 type Readings<R> = Result<Option<Vec<R>>, ParameterError>;
 
-#[derive(Clone, Copy)]
 struct Judge;
 
 impl Watching for Judge {
     type Reading = (Verdict, Yardstick);
     type Meter<T: Batch> = Verdicts<T>;
 
-    fn empty(self) -> (Verdict, Yardstick) {
+    fn empty() -> (Verdict, Yardstick) {
         (Verdict::TooShort, Yardstick::Distance)
     }
 
     #[cfg(target_arch = "x86_64")]
-    fn on_vectors<S: Proven>(self, run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
+    fn on_vectors<S: Proven>(run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
         match is_wide {
-            true => run.on::<F64s<S, { JUDGED[0] }>, Self>(self),
-            false => run.on::<F32s<S, { JUDGED[1] }>, Self>(self),
+            true => run.on::<F64s<S, { JUDGED[0] }>, Self>(),
+            false => run.on::<F32s<S, { JUDGED[1] }>, Self>(),
         }
     }
 }
 
-#[derive(Clone, Copy)]
 struct MeasureAll;
 
 impl Watching for MeasureAll {
     type Reading = Measures;
     type Meter<T: Batch> = Everything<T>;
 
-    fn empty(self) -> Measures {
+    fn empty() -> Measures {
         Measures::default()
     }
 
     #[cfg(target_arch = "x86_64")]
-    fn on_vectors<S: Proven>(self, run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
+    fn on_vectors<S: Proven>(run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
         match is_wide {
-            true => run.on::<F64s<S, VECTORS>, Self>(self),
-            false => run.on::<F32s<S, VECTORS>, Self>(self),
+            true => run.on::<F64s<S, VECTORS>, Self>(),
+            false => run.on::<F32s<S, VECTORS>, Self>(),
         }
     }
 }
 
 impl Run<'_> {
     /// Runs the rollouts with the type of the stabilizer.
-    fn on<T: Batch, W: Watching>(
-        self,
-        watching: W,
-    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+    fn on<T: Batch, W: Watching>(self) -> Readings<W::Reading> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);
         type WallDamped<T> = (PortEnergy, Dissipation<T, InContact<T>>);
         let candidate = match self.basic_name.table(&self.kernel.along(self.basic_name).base) {
-            None => return self.under::<T, NoStabilizer, W>(watching),
+            None => return self.under::<T, NoStabilizer, W>(),
             Some(Stabilizer::Lolc(lolc)) => lolc.candidate,
             // POPC: no other has a basic name.
             Some(_) => Candidate::Spring,
         };
         match candidate {
-            Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(watching),
-            Candidate::DeviceDamping => self.under::<T, Lolc<T, DeviceDamped<T>>, W>(watching),
-            Candidate::MassSpringDamper => self.under::<T, Lolc<T, WallDamped<T>>, W>(watching),
+            Candidate::Spring => self.under::<T, Lolc<T, PortEnergy>, W>(),
+            Candidate::DeviceDamping => self.under::<T, Lolc<T, DeviceDamped<T>>, W>(),
+            Candidate::MassSpringDamper => self.under::<T, Lolc<T, WallDamped<T>>, W>(),
         }
     }
 
-    fn under<T: Batch, S: Laned<T>, W: Watching>(
-        self,
-        watching: W,
-    ) -> Result<Option<Vec<W::Reading>>, ParameterError> {
+    fn under<T: Batch, S: Laned<T>, W: Watching>(self) -> Readings<W::Reading> {
         let seats = Seats::new(self.kernel.along(self.basic_name), self.cells);
-        T::run(Rollouts::<T, S, W::Meter<T>>::new(seats, watching.empty(), self.go_on))
+        T::run(Rollouts::<T, S, W::Meter<T>>::new(seats, W::empty(), self.go_on))
     }
 }

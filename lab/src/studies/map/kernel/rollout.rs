@@ -3,6 +3,7 @@
 use lyapunov::{Mask, ParameterError, Plant, PortSample, Stabilizer, bodies::Body};
 use pulp::NullaryFnOnce;
 
+use super::Readings;
 use super::batch::Batch;
 use super::meter::{Meter, Watch};
 use super::parts::{Accounted, Bodies, Laned};
@@ -198,7 +199,7 @@ impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
 }
 
 impl<T: Batch, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M> {
-    type Output = Result<Option<Vec<M::Reading>>, ParameterError>;
+    type Output = Readings<M::Reading>;
 
     #[inline(always)]
     fn call(mut self) -> Self::Output {

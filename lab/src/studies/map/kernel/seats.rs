@@ -1,6 +1,6 @@
 //! Assignment of cells to lanes.
 
-use super::field::Copy;
+use super::field::Copier;
 use super::parts::Lanes;
 use crate::files::scene::{Draft, Scene};
 
@@ -17,8 +17,8 @@ pub(super) struct Seats<'a> {
 #[derive(Debug)]
 pub(super) struct Along {
     pub(super) base: Draft,
-    pub(super) x: (Vec<Scene>, Copy),
-    pub(super) y: (Vec<Scene>, Copy),
+    pub(super) x: (Vec<Scene>, Copier),
+    pub(super) y: (Vec<Scene>, Copier),
 }
 
 impl Along {
