@@ -17,6 +17,12 @@ const HEIGHT: f64 = 330.0;
 /// The most picture elements along an axis; a larger map is drawn by the means of its cells.
 pub(super) const FINEST: u64 = 512;
 
+/// The middle one of the values of `axis` that share an element of the picture.
+pub(super) fn middle(axis: &Axis, element: u64, elements: u64) -> u64 {
+    let first = |element: u64| (element * axis.count).div_ceil(elements);
+    first(element).midpoint(first(element + 1) - 1)
+}
+
 /// A heat map with the name of its files and its caption.
 #[derive(Debug)]
 pub struct NamedFigure {

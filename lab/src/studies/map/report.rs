@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::axis::Axis;
 use super::in_ticks;
-use super::picture::{NamedFigure, label};
+use super::picture::{NamedFigure, label, middle};
 use super::survey::Survey;
 use crate::measure::Verdict;
 use crate::show::described::EVERY_NUMBER;
@@ -61,14 +61,14 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
 /// The values of the axes, and the command to which a cell's own values are added.
 fn axes(survey: &Survey, scene: &str) -> Markup {
     let grid = survey.grid();
-    let (columns, rows) = survey.size();
-    let of = |axis: &Axis, elements: usize| {
-        let values: Vec<String> = (0..elements)
-            .map(|element| format!("{:?}", axis.value(middle(axis, element, elements))))
-            .collect();
+    let size = survey.size();
+    let [columns, rows] = [size.0, size.1].map(|count| count as u64);
+    let of = |axis: &Axis, elements: u64| {
+        let value = |element| axis.value(middle(axis, element, elements));
+        let values: Vec<_> = (0..elements).map(|at| format!("{:?}", value(at))).collect();
         json!({ "key": axis.key, "name": label(axis), "values": values })
     };
-    let several = columns as u64 != grid.x.count || rows as u64 != grid.y.count;
+    let several = columns != grid.x.count || rows != grid.y.count;
     // Else it would be taken for an option.
     let path = if scene.starts_with('-') { format!("./{scene}") } else { scene.to_owned() };
     let command = format!("lyapunov map {}", shell_word(&path));
@@ -81,13 +81,6 @@ fn axes(survey: &Survey, scene: &str) -> Markup {
             "several": several,
         }),
     )
-}
-
-/// The middle one of the values of `axis` that share an element of the picture.
-fn middle(axis: &Axis, element: usize, elements: usize) -> u64 {
-    let first = |element: u64| (element * axis.count).div_ceil(elements as u64);
-    let element = element as u64;
-    first(element).midpoint(first(element + 1) - 1)
 }
 
 /// Tables of areas and of what is rendered, for the terminal, with the axes and the unit.

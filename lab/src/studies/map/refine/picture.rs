@@ -4,7 +4,7 @@ use super::{Edge, Refined, Side};
 use crate::measure::Verdict;
 use crate::studies::map::axis::Axis;
 use crate::studies::map::bounds::Bounds;
-use crate::studies::map::picture::{FINEST, Shown, panels};
+use crate::studies::map::picture::{FINEST, Shown, middle, panels};
 use lyapunov_figures::{Figure, HeatMap, Series};
 
 /// Colour of the marks of ragged blocks.
@@ -47,12 +47,8 @@ impl Refined {
 
 /// The side of the middle cell of each picture element, row by row from the bottom; NaN where it is too short to judge.
 fn sides(edge: &Edge, [x, y]: [&Axis; 2], [columns, rows]: [u64; 2]) -> Vec<f64> {
-    let middle =
-        |element: u64, elements: u64, count: u64| (2 * element + 1) * count / (2 * elements);
     let along = |row: u64| {
-        (0..columns).map(move |column| {
-            middle(column, columns, x.count) + middle(row, rows, y.count) * x.count
-        })
+        (0..columns).map(move |column| middle(x, column, columns) + middle(y, row, rows) * x.count)
     };
     let number = |side| colour(side).map_or(f64::NAN, |it| it as f64);
     (0..rows).flat_map(along).map(|cell| number(edge.side(cell))).collect()
