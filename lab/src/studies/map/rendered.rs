@@ -1,9 +1,9 @@
-//! What a stabilizer renders over a map, and what it breaks.
+//! Force and stiffness that a stabilizer renders over a map, and the cells that it breaks.
 
 use crate::measure::Verdict;
 use crate::measure::runs::Outcome;
 
-/// What a stabilizer renders over a map, and what that takes.
+/// Force and stiffness that a stabilizer renders over a map, with the energy that the port gave and the cells that broke.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rendered {
     /// Force felt over all judged cells, percent: at most 100 in each, and 0 where a cell grows or the
