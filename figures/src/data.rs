@@ -12,6 +12,7 @@ use super::heat::{Colouring, HeatMap};
 use super::page;
 use super::palette::Stroke;
 use super::panel::{Numbering, Panel};
+use super::picture::LEVEL;
 use super::series::{Series, Trace};
 use super::span::Span;
 use super::thinning::{thinned, thinned_dots};
@@ -27,9 +28,6 @@ const FEWEST: f64 = 200.0;
 const X_DIGITS: usize = 9;
 
 const Y_DIGITS: usize = 6;
-
-/// Level of the compression; above 6 it takes longer and gains next to nothing.
-const LEVEL: u8 = 6;
 
 /// The data of `figure` as JSON, deflated (RFC 1950), in base64.
 pub(super) fn packed(figure: &Figure) -> String {

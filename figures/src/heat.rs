@@ -3,7 +3,7 @@
 use super::axes::TICK_LENGTH;
 use super::drawing::{Anchor, Drawing, Lettering};
 use super::geometry::Rect;
-use super::palette::{Class, FRAME, INK, Stroke};
+use super::palette::{CLASSES, FRAME, INK, Stroke, rgb};
 use super::picture::Picture;
 use super::span::Span;
 use super::ticks::Ticks;
@@ -77,14 +77,12 @@ impl HeatMap {
         self.values.iter().all(|value| !value.is_finite())
     }
 
-    /// The names of its classes, with their colours.
-    pub(super) fn classes(&self) -> impl Iterator<Item = (&str, Class)> {
-        let names = match &self.colouring {
-            Colouring::Classes(names) => &names[..],
+    /// The names of its classes.
+    pub(super) fn classes(&self) -> &[String] {
+        match &self.colouring {
+            Colouring::Classes(names) => names,
             Colouring::Ramp(_) => &[],
-        };
-        let colours = (0..names.len()).map(|index| Class::of(index as f64));
-        names.iter().map(String::as_str).zip(colours)
+        }
     }
 
     /// Room to the right of the frame for the colour key.
@@ -102,12 +100,13 @@ impl HeatMap {
     }
 
     pub(super) fn draw(&self, drawing: &mut Drawing, area: Rect) {
+        let classes = CLASSES.map(rgb);
         let colour: &dyn Fn(f64) -> [u8; 3] = match self.colouring {
             Colouring::Ramp(range) => {
                 let span = self.span(range);
                 &move |value| shade(value, span)
             }
-            Colouring::Classes(_) => &|value| Class::of(value).rgb,
+            Colouring::Classes(_) => &|value| classes[value.max(0.0) as usize % classes.len()],
         };
         let rows = self.values.len() / self.columns.max(1);
         let picture = Picture::of(self.columns, rows, |column, row| {

@@ -23,10 +23,10 @@ pub(super) struct Named {
 impl Named {
     /// All names of a panel: the classes of its heat map, then its series.
     pub(super) fn all(panel: &Panel) -> Vec<Self> {
-        let classes = panel.heat.iter().flat_map(|heat| heat.classes());
-        let classes = classes.map(|(label, class)| Self {
-            label: label.to_owned(),
-            stroke: class.stroke(),
+        let classes = panel.heat.iter().flat_map(|heat| heat.classes()).enumerate();
+        let classes = classes.map(|(class, label)| Self {
+            label: label.clone(),
+            stroke: Stroke::of_class(class),
             is_dotted: false,
         });
         let series = panel.series.iter().map(|series| Self {

@@ -9,6 +9,7 @@ use super::palette::{PAPER, Stroke};
 use super::panel::Panel;
 use super::reference;
 use super::span::Span;
+use super::ticks::Ticks;
 
 const SIZE: f64 = 9.5;
 const MARK: Stroke = Stroke::solid("#444444", 0.8);
@@ -83,13 +84,7 @@ fn within(panel: &Panel, outer: Rect, x: Span, y: Span, mark: Option<Rect>) -> M
     let area = Rect::new(outer.left + left, outer.top + above, width, height);
     Magnifier {
         axes: Axes { area, x, y },
-        numbers: Numbers {
-            x: axes::x_ticks(x, panel.x_numbers, width, SIZE),
-            y: y_ticks,
-            size: SIZE,
-            side: Side::Left,
-            halo: true,
-        },
+        numbers: numbers(axes::x_ticks(x, panel.x_numbers, width, SIZE), y_ticks, Side::Left),
         outer,
         mark,
     }
@@ -105,17 +100,15 @@ fn beside(panel: &Panel, whole: &Axes, x: Span, y: Span) -> (Axes, Magnifier) {
     let area = Rect { left: main.area.right() + GAP, width: 0.4 * room, ..whole.area };
     let magnifier = Magnifier {
         axes: Axes { area, x, y },
-        numbers: Numbers {
-            x: axes::x_ticks(x, panel.x_numbers, area.width, SIZE),
-            y: y_ticks,
-            size: SIZE,
-            side: Side::Right,
-            halo: true,
-        },
+        numbers: numbers(axes::x_ticks(x, panel.x_numbers, area.width, SIZE), y_ticks, Side::Right),
         outer: area,
         mark: mark(&main, x, y),
     };
     (main, magnifier)
+}
+
+fn numbers(x: Ticks, y: Ticks, side: Side) -> Numbers {
+    Numbers { x, y, size: SIZE, side, halo: true }
 }
 
 /// The magnified range on the page, large enough to be seen.

@@ -13,29 +13,13 @@ const TINTS: [&str; 7] =
 
 /// Colours of the classes of a heat map, from dark to light: they differ in lightness by a third of its range, so that
 /// they also read in grey, and from blue to yellow, which every common form of colour blindness tells apart.
-pub(super) const CLASSES: [Class; 3] = [
-    Class { colour: "#1b204f", rgb: [0x1b, 0x20, 0x4f] },
-    Class { colour: "#2d88a8", rgb: [0x2d, 0x88, 0xa8] },
-    Class { colour: "#f6df90", rgb: [0xf6, 0xdf, 0x90] },
-];
+pub(super) const CLASSES: [&str; 3] = ["#1b204f", "#2d88a8", "#f6df90"];
 
-/// Colour of a class, as text and as red, green and blue.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Class {
-    pub(super) colour: &'static str,
-    pub(super) rgb: [u8; 3],
-}
-
-impl Class {
-    /// The class of a value, a whole number from 0 on.
-    pub(super) fn of(value: f64) -> Self {
-        CLASSES[value.max(0.0) as usize % CLASSES.len()]
-    }
-
-    /// The look of its name in a legend.
-    pub(super) const fn stroke(self) -> Stroke {
-        Stroke::solid(self.colour, BAR)
-    }
+/// Red, green and blue of a colour like `#1b204f`; black of any other text.
+pub(super) fn rgb(colour: &str) -> [u8; 3] {
+    let number = colour.strip_prefix('#').and_then(|digits| u32::from_str_radix(digits, 16).ok());
+    let [_, rgb @ ..] = number.unwrap_or_default().to_be_bytes();
+    rgb
 }
 
 /// Dash patterns, the first one solid.
@@ -67,6 +51,11 @@ impl Stroke {
         Self { colour, width, dash: "5 3" }
     }
 
+    /// The look of a class's name in a legend.
+    pub(super) const fn of_class(class: usize) -> Self {
+        Self::solid(CLASSES[class % CLASSES.len()], BAR)
+    }
+
     pub(super) fn of(series: &Series) -> Self {
         let (round, colour) = (series.colour / PALETTE.len(), series.colour % PALETTE.len());
         if series.trace == Trace::Bars {
@@ -94,16 +83,18 @@ mod tests {
 
     #[test]
     fn classes_read_in_grey_and_apart_from_nothing() {
-        let found = CLASSES.map(|class| lightness(class.rgb));
+        let found = CLASSES.map(|class| lightness(rgb(class)));
         let with_paper: Vec<f64> = found.into_iter().chain([lightness([255; 3])]).collect();
         for pair in with_paper.windows(2) {
             assert!(pair[1] - pair[0] > 10.0, "{with_paper:?}");
         }
         assert!(found.windows(2).all(|pair| pair[1] - pair[0] > 30.0), "{found:?}");
-        for class in CLASSES {
-            let [red, green, blue] = class.rgb;
-            assert_eq!(class.colour, format!("#{red:02x}{green:02x}{blue:02x}"));
-        }
+    }
+
+    #[test]
+    fn a_colour_is_read_by_its_name() {
+        assert_eq!(rgb("#1b204f"), [0x1b, 0x20, 0x4f]);
+        assert_eq!(rgb(PAPER), [255; 3]);
     }
 
     #[test]

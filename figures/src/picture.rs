@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use super::png::png;
 
 /// Level of the compression; above 6 it takes longer and gains next to nothing.
-const LEVEL: u8 = 6;
+pub(super) const LEVEL: u8 = 6;
 
 /// Bitmap of colours, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]

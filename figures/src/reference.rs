@@ -13,8 +13,7 @@ const DESCENT: f64 = 3.0;
 const HEIGHT: f64 = SIZE + DESCENT;
 
 pub(super) fn draw_lines(drawing: &mut Drawing, guides: &[Guide], axes: &Axes) {
-    let lines: Vec<(Place, Place)> = guides.iter().filter_map(|guide| line(guide, axes)).collect();
-    for line in lines {
+    for line in guides.iter().filter_map(|guide| line(guide, axes)) {
         drawing.lines(&[line], Stroke::dashed(FAINT_INK, 0.9));
     }
 }

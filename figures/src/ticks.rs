@@ -74,8 +74,10 @@ impl Ticks {
         const FEW: f64 = 1.5;
         let (first, last) = (span.low.floor() as i32, span.high.ceil() as i32);
         let between: &[i64] = if span.half_width() < FEW { &[1, 2, 5] } else { &[1] };
-        let stride = (last.saturating_sub(first).max(0) as usize / count.max(1) + 1) as i32;
-        let exponents = (first..=last).filter(|exponent| exponent.rem_euclid(stride) == 0);
+        let stride = last.saturating_sub(first).max(0) as usize / count.max(1) + 1;
+        // A given range may span all 2^32 exponents, too many to look at each.
+        let before = (-i64::from(first)).rem_euclid(stride as i64) as usize;
+        let exponents = (first..=last).skip(before).step_by(stride);
         let all = exponents
             .flat_map(|exponent| between.iter().map(move |&multiple| (multiple, exponent)));
         // All numbers of an axis are written in one form.

@@ -12,7 +12,7 @@ use super::drawing::{HALO, Join, Lettering, Mark};
 use super::figure::Figure;
 use super::geometry::{Place, Rect};
 use super::page;
-use super::palette::{PAPER, Stroke};
+use super::palette::{PAPER, Stroke, rgb};
 use super::picture::Picture;
 use super::png::png;
 
@@ -201,20 +201,7 @@ fn paint(name: &str) -> Paint<'static> {
     paint
 }
 
-/// The colour of a name like `#1b204f`; black of any other.
 fn colour(name: &str) -> Color {
-    let number = name.strip_prefix('#').and_then(|digits| u32::from_str_radix(digits, 16).ok());
-    let [_, red, green, blue] = number.unwrap_or_default().to_be_bytes();
+    let [red, green, blue] = rgb(name);
     Color::from_rgba8(red, green, blue, 255)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_colour_is_read_by_its_name() {
-        assert_eq!(colour("#1b204f"), Color::from_rgba8(0x1b, 0x20, 0x4f, 255));
-        assert_eq!(colour(PAPER), Color::WHITE);
-    }
 }
