@@ -9,7 +9,7 @@ use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, named, print, shown};
+use super::{BAR, End, named, shown, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -55,12 +55,8 @@ impl Accuracy {
         if let Some(folder) = folder {
             self.fill(&folder, &study, target, &text)?;
         }
-        match (self.json, self.quiet, target) {
-            (true, ..) => print(text),
-            (_, true, _) => Ok(()),
-            (.., None) => print(study),
-            (.., Some(metres)) => print(format_args!("{study}\n{}", study.advice(metres))),
-        }
+        let advice = target.map(|metres| format!("\n{}", study.advice(metres)));
+        tell(self.json, self.quiet, text, format_args!("{study}{}", advice.unwrap_or_default()))
     }
 
     /// The error that a setting is asked for, m.

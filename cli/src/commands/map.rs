@@ -21,7 +21,7 @@ use rayon::prelude::*;
 use self::merge::Merge;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
-use super::{BAR, End, advance, named, print, program, shown, tell};
+use super::{BAR, End, advance, named, program, shown, tell};
 use crate::files::{Inputs, Output};
 use crate::interrupts::Untidy;
 use crate::pictures::pictures;
@@ -269,12 +269,6 @@ impl Map {
         computation: &Computation,
         text: &str,
     ) -> Result<(), End> {
-        if self.json {
-            return print(text);
-        }
-        if self.quiet {
-            return Ok(());
-        }
         let mut said = String::new();
         if shard != Shard::WHOLE {
             let _ = writeln!(said, "shard {shard} of the map");
@@ -290,7 +284,7 @@ impl Map {
             None => format!("one cell at a time, as {}", alone(&survey.grid().scene)),
         };
         let _ = writeln!(said, "\n{how}, {} thread(s)", computation.threads);
-        print(said)
+        tell(self.json, self.quiet, text, said)
     }
 }
 

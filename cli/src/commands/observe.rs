@@ -10,7 +10,7 @@ use lyapunov_lab::scene::Scene;
 use super::folder::Folder;
 use super::results::{Results, command_line, names};
 use super::source::Source;
-use super::{End, named, print};
+use super::{End, named, tell};
 use crate::files::Inputs;
 
 /// The file that `--json` prints.
@@ -94,9 +94,9 @@ impl Observe {
             Some(asked) => observe::replay(log, name, &settings, asked),
             None => observe::observe(log, name, &settings),
         })?;
+        let text = observed.report.to_json();
         if let Some(folder) = folder {
-            let json = observed.report.to_json();
-            let results = Results::new(observed.to_html(&command_line()), RESULTS, &json);
+            let results = Results::new(observed.to_html(&command_line()), RESULTS, &text);
             let mut results = results.with_figure("observe", &observed.figure())?;
             if let Some(replay) = &observed.report.replay {
                 results = results.with_file("stabilizers.csv", replay.csv());
@@ -106,7 +106,10 @@ impl Observe {
             }
             folder.fill(results.with_file("observe.csv", observed.csv()))?;
         }
-        self.tell(&observed)
+        let written =
+            self.out.as_deref().map(|folder| format!("  written     {}\n", named(folder)));
+        let said = format!("{}\n{}", observed.report, written.unwrap_or_default());
+        tell(self.json, self.quiet, text, said)
     }
 
     /// The stabilizers that are asked what they would have done.
@@ -120,17 +123,5 @@ impl Observe {
         };
         let scene = Scene::load(path).map_err(End::input)?;
         Ok(Some(Asked { stabilizers, scene, name: named(path) }))
-    }
-
-    fn tell(&self, observed: &Observed) -> Result<(), End> {
-        let report = &observed.report;
-        match (self.json, self.quiet, &self.out) {
-            (true, ..) => print(report.to_json()),
-            (_, true, _) => Ok(()),
-            (.., None) => print(format_args!("{report}\n")),
-            (.., Some(folder)) => {
-                print(format_args!("{report}\n  written     {}\n", named(folder)))
-            }
-        }
     }
 }
