@@ -2,10 +2,8 @@
 
 import { RUN } from "./engine.js";
 import { made } from "./made.js";
-import { ink, path, sheet } from "./paint.js";
+import { VERDICTS, ink, path, sheet } from "./paint.js";
 import { digits } from "./why.js";
-
-const WORD = ["settles", "swinging", "grows", "short"];
 
 export class Family {
   constructor(table, words) {
@@ -39,7 +37,7 @@ export class Family {
       Object.assign(it, { colSpan: 4, textContent: run.refused.split("\n")[0] });
       return;
     }
-    row.insertCell().append(made("b", { className: `word ${WORD[run.verdict]}` }, this.words[run.verdict]));
+    row.insertCell().append(made("b", { className: `word ${VERDICTS[run.verdict]}` }, this.words[run.verdict]));
     row.insertCell().textContent = Number.isNaN(run.settled) || run.verdict > 0 ? "–" : `${run.settled.toFixed(2)} s`;
     row.insertCell().textContent = run.verdict === 2 ? "–" : `${digits(run.peak)} N`;
     const canvas = made("canvas", { className: "spark", ariaHidden: "true" });
@@ -73,5 +71,5 @@ function spark(canvas, { rows, verdict }, most) {
     points.push([(at / many) * width, height / 2 - Math.max(-1.2, Math.min(1.2, y)) * height * 0.4]);
   }
   path(context, [[0, height / 2], [width, height / 2]], colours.line, 1);
-  path(context, points, colours[WORD[verdict]], 1.2);
+  path(context, points, colours[VERDICTS[verdict]], 1.2);
 }

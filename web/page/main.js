@@ -7,7 +7,7 @@ import { hands } from "./hand.js";
 import { Loops, SEEN } from "./loops.js";
 import { button, made } from "./made.js";
 import { StabilityMap } from "./map.js";
-import { ink, isCalm, onScheme } from "./paint.js";
+import { VERDICTS, ink, isCalm, onScheme } from "./paint.js";
 import { PRESETS, list } from "./presets.js";
 import { address, bare, changed, ofAddress, toml, value } from "./scene.js";
 import { wire } from "./share.js";
@@ -48,7 +48,7 @@ function cards() {
     const run = runs.get(name);
     const word = it.querySelector("strong");
     word.textContent = words[run.verdict];
-    word.className = `word ${["settles", "swinging", "grows", "short"][run.verdict]}`;
+    word.className = `word ${VERDICTS[run.verdict]}`;
     const rests = run.verdict === 0 && run.settled >= 0 ? `at rest after ${run.settled.toFixed(2)} s, ` : "";
     const force = run.verdict === 2 ? "" : `at most ${digits(run.peak)} N`;
     it.querySelector(".told").textContent = run.verdict === 2 ? "the run gets larger and larger" : rests + force;
@@ -318,7 +318,7 @@ function choices() {
     it.dataset.index = index;
     $("why-of").append(it);
   }
-  for (const [index, word] of ["settles", "swinging", "grows", "short"].entries()) {
+  for (const [index, word] of VERDICTS.entries()) {
     $("legend").append(made("li", { className: word }, words[index]));
   }
   $("legend").append(made("li", { className: "bound" }, "exact limit of the linear loop"));

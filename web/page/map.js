@@ -1,7 +1,7 @@
 // The map of verdicts over two sliders, with the place where one stands.
 
-import { font, ink, path, sheet } from "./paint.js";
-import { SLIDERS, placeOf } from "./sliders.js";
+import { VERDICTS, font, ink, path, sheet } from "./paint.js";
+import { SLIDERS, placeOf, shareOf, unrounded } from "./sliders.js";
 import { changed, toml, value } from "./scene.js";
 
 const COUNT = 256;
@@ -74,15 +74,10 @@ export class StabilityMap {
     const scene = toml(this.tree);
     const along = x.key.endsWith("wall.stiffness") ? y : y.key.endsWith("wall.stiffness") ? x : null;
     const at = (index) => index / (POINTS - 1);
-    const curve = along ? Array.from({ length: POINTS }, (_, index) => toml(changed(this.tree, along.key, this.number(along, at(index))))) : [];
+    const curve = along ? Array.from({ length: POINTS }, (_, index) => toml(changed(this.tree, along.key, unrounded(along, at(index))))) : [];
     this.upwards = along === x;
     this.places = curve.map((_, index) => at(index));
     this.ask("map", { scene, x: axis(x), y: axis(y), name: this.under.value, count: COUNT, curve });
-  }
-
-  /** The unrounded number of an axis at a place from 0 to 1. */
-  number({ from, to, log }, place) {
-    return log ? from * (to / from) ** place : from + (to - from) * place;
   }
 
   /** Takes what the worker tells. */
@@ -92,7 +87,7 @@ export class StabilityMap {
     this.frame.classList.remove("pale");
     if (cells) {
       const colours = ink();
-      const shades = [colours.settles, colours.swinging, colours.grows, colours.short].map(rgb);
+      const shades = VERDICTS.map((word) => rgb(colours[word]));
       const context = this.image.getContext("2d");
       const rows = Math.ceil(cells.length / COUNT);
       const pixels = context.createImageData(COUNT, rows);
@@ -131,7 +126,7 @@ export class StabilityMap {
 
   step(right, up) {
     const [x, y] = this.sliders;
-    const number = (slider, place) => Number(this.number(slider, place).toPrecision(3));
+    const number = (slider, place) => Number(unrounded(slider, place).toPrecision(3));
     this.move([[x, number(x, right)], [y, number(y, up)]]);
   }
 
@@ -173,7 +168,6 @@ export class StabilityMap {
     if (!this.limits) return;
     const { left, top, wide, tall } = this.box;
     const stiff = this.sliders[this.upwards ? 1 : 0];
-    const raw = (limit) => (stiff.log ? Math.log(limit / stiff.from) / Math.log(stiff.to / stiff.from) : (limit - stiff.from) / (stiff.to - stiff.from));
     c.save();
     c.beginPath();
     c.rect(left, top, wide, tall);
@@ -182,7 +176,7 @@ export class StabilityMap {
     const pieces = [piece];
     this.limits.forEach((limit, index) => {
       const along = this.places[index];
-      const across = limit > 0 ? raw(limit) : NaN;
+      const across = limit > 0 ? shareOf(stiff, limit) : NaN;
       if (Number.isNaN(across)) return void pieces.push((piece = []));
       const [right, up] = this.upwards ? [along, across] : [across, along];
       piece.push([left + right * wide, top + (1 - up) * tall]);

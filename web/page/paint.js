@@ -1,12 +1,15 @@
 // Drawing on canvases in the page's colours.
 
+/** The verdicts by their numbers, as the style sheet names their colours. */
+export const VERDICTS = ["settles", "swinging", "grows", "short"];
+
 let colours = null;
 
 /** The page's colours by name, as the style sheet gives them for light or dark. */
 export function ink() {
   if (colours) return colours;
   const style = getComputedStyle(document.documentElement);
-  const names = ["paper", "card", "ink", "soft", "line", "none", "popc", "lolc", "settles", "swinging", "grows", "short", "wall"];
+  const names = ["paper", "card", "ink", "soft", "line", "none", "popc", "lolc", ...VERDICTS, "wall"];
   colours = Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
   return colours;
 }

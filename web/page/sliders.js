@@ -20,21 +20,25 @@ export const SLIDERS = [
   { key: "initial.position", label: "Start", unit: "mm", scale: 1e3, from: -0.01, to: 0.01 },
 ];
 
+/** The number at a share from 0 to 1 of a range. */
+export const unrounded = ({ from, to, log }, share) => (log ? from * (to / from) ** share : from + (to - from) * share);
+
+/** The share of a range up to a number, the other way round. */
+export const shareOf = ({ from, to, log }, number) => (log ? Math.log(number / from) / Math.log(to / from) : (number - from) / (to - from));
+
 /** The number at a place from 0 to 1, rounded as one would say it; null where the effect is off. */
 export function numberAt(slider, place) {
-  const { from, to, log, bend, whole, off } = slider;
+  const { bend, whole, off } = slider;
   if (off && place <= 0) return null;
-  if (whole) return Math.round(from + (to - from) * place);
-  const share = bend ? place * place : place;
-  const number = log ? from * (to / from) ** place : from + (to - from) * share;
-  return Number(number.toPrecision(3));
+  const number = unrounded(slider, bend ? place * place : place);
+  return whole ? Math.round(number) : Number(number.toPrecision(3));
 }
 
 /** The place from 0 to 1 of a number. */
 export function placeOf(slider, number) {
-  const { from, to, log, bend, off } = slider;
+  const { log, bend, off } = slider;
   if (number === null || number === undefined) return 0;
-  const share = log ? Math.log(number / from) / Math.log(to / from) : (number - from) / (to - from);
+  const share = shareOf(slider, number);
   const place = bend ? Math.sqrt(Math.max(0, share)) : share;
   return Math.min(1, Math.max(off && !log ? 0.5 / STEPS : 0, place));
 }
