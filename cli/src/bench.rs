@@ -32,14 +32,14 @@ impl Bench {
         Self { roster: self.roster.candidate::<C>() }
     }
 
-    /// Runs the command that the arguments of the program ask for, and returns its exit status; ends the program where they
-    /// ask for help, or for what there is not.
+    /// Runs the command that the arguments of the program ask for, and returns its exit status; prints
+    /// help where they ask for it, or what is wrong with them.
     pub fn main(self) -> ExitCode {
         ExitCode::from(self.told(env::args_os()))
     }
 
-    /// The same for `words` in place of the program's arguments, the first of them its name: for a program that another
-    /// one interprets. Once in a process, before it reads a scene.
+    /// The same for `words`, the first of them the program's name, in place of the arguments of the process: those of an
+    /// interpreter are not the program's own. It may be called once in a process, before it reads a scene.
     pub fn told(self, words: impl IntoIterator<Item = OsString>) -> u8 {
         let words: Vec<OsString> = words.into_iter().collect();
         let names: Vec<&str> = self.roster.names().collect();

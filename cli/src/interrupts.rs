@@ -9,8 +9,8 @@ static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 /// The number of things to tidy up.
 static UNTIDY: AtomicUsize = AtomicUsize::new(0);
 
-/// Time after which a command ends that has nothing to tidy up, whatever it is blocked in: opening a pipe that nobody
-/// writes to, or writing to one that nobody reads.
+/// Time after an interrupt at which a command with nothing to tidy up is ended. It may be blocked where it cannot look for
+/// interrupts: opening a pipe that nobody writes to, or writing to one that nobody reads.
 const GRACE: Duration = Duration::from_millis(500);
 
 /// Time between two looks at whether there is still something to tidy up.
@@ -71,7 +71,7 @@ mod system {
                 heeded.add(signal);
             }
         }
-        // A file that reaches the limit of its size is then told by the call that writes, as any other error.
+        // Without this signal the call that writes beyond the limit of a file's size returns an error, as for a full disk.
         let _ = SigSet::from(Signal::SIGXFSZ).thread_block();
         // Every thread that is started later inherits what is blocked, so that the one below gets the signals.
         if heeded.thread_block().is_err() {

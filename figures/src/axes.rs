@@ -182,7 +182,7 @@ mod tests {
         }
     }
 
-    /// The most of which any count stands apart.
+    /// The largest count whose numbers do not touch.
     #[test]
     fn as_many_numbers_as_fit_stand_on_the_abscissa() {
         for (low, high) in [(0.0, 2.0), (0.0, 1e6), (-0.001, 0.0015), (0.1, 0.1001)] {

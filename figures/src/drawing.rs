@@ -35,7 +35,7 @@ impl Lettering {
     }
 }
 
-/// One thing to be seen.
+/// Mark of a drawing: an area, a line, a text or a picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Mark {
     /// A filled rectangle.

@@ -31,7 +31,7 @@ pub(crate) trait Axes:
     /// The value for Python: a number, or an array of shape (axes,).
     fn show(self, py: Python<'_>) -> Bound<'_, PyAny>;
 
-    /// `value` of each axis.
+    /// The signal that is `value(axis)` on each axis.
     fn from_axes(value: impl FnMut(usize) -> f64) -> Self;
 
     /// The number along an axis.
@@ -71,7 +71,7 @@ fn wrong(value: &Bound<'_, PyAny>, name: &str, count: usize) -> PyErr {
     PyTypeError::new_err(format!("{name} is {}; give {wanted}{other}", kind(value)))
 }
 
-/// The several axes of a block that would take the value: as many as it has numbers.
+/// The number of axes of a block that takes the value as a vector; none if there is no such block.
 fn several(value: &Bound<'_, PyAny>) -> Option<usize> {
     let count = match value.cast::<PyUntypedArray>() {
         Ok(array) if array.ndim() == 1 => array.len(),

@@ -1,4 +1,4 @@
-//! Plain numbers and truths that a call gives, which name themselves where they are none.
+//! Numbers and truths among the arguments of a call, with errors that name the argument.
 
 use numpy::{PyArrayDescr, PyArrayDescrMethods, PyUntypedArray, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;

@@ -1,4 +1,4 @@
-//! Whole numbers that a call gives, which name themselves where they do not fit.
+//! Whole numbers among the arguments of a call, with errors that name the argument.
 
 use pyo3::exceptions::{PyOverflowError, PyTypeError};
 use pyo3::prelude::*;
@@ -36,9 +36,9 @@ pub(crate) fn axes(value: &Bound<'_, PyAny>) -> PyResult<usize> {
     })
 }
 
-/// Whole number of the machine.
+/// Whole number of a fixed size.
 trait Fits {
-    /// The largest.
+    /// The largest that fits.
     fn most() -> u64;
 }
 

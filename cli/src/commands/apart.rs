@@ -9,7 +9,7 @@ use super::End;
 /// Time between two looks for interrupts.
 const BREATH: Duration = Duration::from_millis(50);
 
-/// The result of `work`, for which an interrupt does not wait.
+/// The result of `work`; an interrupt ends the wait at once, and the work goes on unheard.
 ///
 /// # Errors
 /// An interrupt; work that broke off.

@@ -76,7 +76,7 @@ pub(crate) struct Compare {
 impl Compare {
     pub(crate) fn run(&self) -> Result<(), End> {
         let mut left_out = LeftOut::of(self.scenes.len());
-        // Names of another kind of file are told where that is known.
+        // Names that are wrong here may be right for another kind of file: they are judged once the kind is known.
         let entrants = self.entrants().ok().flatten().unwrap_or_default();
         let scenes = match Subjects::load(&self.scenes, &entrants, &mut left_out)? {
             Subjects::Scenes(scenes) => scenes,

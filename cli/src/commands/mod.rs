@@ -196,7 +196,7 @@ pub(crate) fn tell(
 
 /// Prints a message on standard error. A closed or full stream is no error here: the exit status still reports the end.
 ///
-/// Names and texts of others may be part of it, so that nothing in it controls the terminal.
+/// Control characters are replaced, as file names and texts of others may be part of it.
 pub(crate) fn say(message: impl Display) {
     let plain = |it: char| if it.is_control() && it != '\n' { '\u{fffd}' } else { it };
     let message: String = message.to_string().chars().map(plain).collect();

@@ -23,7 +23,7 @@ pub(super) fn in_lines(bar: ProgressBar, template: &str) -> ProgressBar {
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-/// A terminal that is none: it prints what is drawn last, now and then.
+/// Stand-in for a terminal: now and then it prints the line that was drawn last.
 #[derive(Debug)]
 struct Lines(Mutex<State>);
 

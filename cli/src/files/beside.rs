@@ -11,10 +11,10 @@ use super::lock::FolderLock;
 /// The beginning of the name of a temporary file.
 const PREFIX: &str = ".lyapunov-";
 
-/// The characters of a name after that.
+/// The number of random characters after it.
 const RANDOM: usize = 6;
 
-/// Attempts to make a file that nobody takes for a leftover before it is locked.
+/// Attempts to make a file: until it is locked, another process may take it for a leftover and remove it.
 const ATTEMPTS: usize = 16;
 
 /// Temporary file in `folder`, with the permissions of a new file. It is locked, so that it is no leftover as long as it is

@@ -1,4 +1,4 @@
-//! Files that a command writes: whole, beside nobody else, and never over what it reads.
+//! Files that a command writes: whole or not at all, not while another process writes there, and never over what it reads.
 
 mod beside;
 mod inputs;

@@ -13,8 +13,8 @@ use crate::interrupts::Untidy;
 
 /// Output file that appears under its name when it is [kept](Output::keep), and not before.
 ///
-/// It is on the disk before it takes its name, and so is the name when that is done: a power failure leaves the old file or
-/// the new one. A device, a pipe or anything else that exists and is no regular file is written to directly.
+/// Its bytes are on the disk before it takes its name, and the name is on the disk afterwards: a power failure leaves the old
+/// file or the new one. A device, a pipe or anything else that exists and is no regular file is written to directly.
 #[derive(Debug)]
 pub(crate) struct Output {
     path: PathBuf,

@@ -49,7 +49,7 @@ impl Sidecar {
     /// Any error of the system.
     pub(crate) fn keep(self, rows: Output, file: &RowFile) -> Result<(), End> {
         let Some(place) = self.0 else { return rows.keep().map_err(End::input) };
-        // Both are open before one is closed: a file that is opened sweeps what nobody holds.
+        // The rows are still open: to create a file removes the temporary files in its folder that no process holds open.
         let mut json = Output::create(&place).map_err(End::input)?;
         let text = file.to_json();
         json.write_all(text.as_bytes()).map_err(|error| End::input(json.blame(error)))?;

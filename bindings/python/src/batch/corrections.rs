@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use super::arrays::array;
 use crate::stored;
 
-/// Memory for results that is not there.
+/// Lack of memory for results.
 pub(super) type Scarce = TryReserveError;
 
 /// The error of ticks for whose results there is no memory.
@@ -18,7 +18,7 @@ pub(super) fn scarce(ticks: usize, loops: usize) -> PyErr {
     ))
 }
 
-/// As many of `value`.
+/// `count` times `value`.
 fn filled<T: Clone>(count: usize, value: T) -> Result<Vec<T>, Scarce> {
     let mut filled = Vec::new();
     filled.try_reserve_exact(count)?;

@@ -186,7 +186,7 @@ struct Share<'a> {
     accepted: Vec<&'a mut [bool]>,
 }
 
-/// The rows of each share of `width` numbers, of rows that are `whole` long.
+/// Rows of `whole` numbers cut into shares of `width`: for each share, its part of every row.
 fn shares<T>(numbers: &mut [T], whole: usize, width: usize) -> Result<Vec<Vec<&mut [T]>>, Scarce> {
     let mut shares: Vec<Vec<&mut [T]>> = Vec::new();
     shares.try_reserve_exact(whole.div_ceil(width))?;

@@ -95,7 +95,7 @@ impl Observer {
     }
 
     fn __clear__(&mut self) {
-        // A candidate that holds the observer is let go by both who hold it here.
+        // Two fields hold the candidate, which may hold this observer: both let it go.
         let none = Self::of(None, None).expect("an observer without a candidate");
         *self = Self { energy: self.energy, ..none };
     }

@@ -29,15 +29,15 @@ pub(crate) struct Asker {
 }
 
 impl Asker {
-    /// Whether nothing is asked any more: work looks at an interrupt only now and then, and would go on to call what the
-    /// program believes to be over.
+    /// Whether nothing is asked any more: work looks for an interrupt only now and then, and would otherwise call stabilizers
+    /// after it.
     pub(crate) fn is_over(&self) -> bool {
         self.stopped.load(Ordering::Relaxed) || self.raised.is_kept()
     }
 }
 
 impl PythonStabilizer {
-    /// The stabilizer of `object`, of a block a fresh one, that `run` asks.
+    /// The stabilizer that asks `object`, or a fresh copy if that is a block, during `run`.
     pub(crate) fn of(object: &Bound<'_, PyAny>, run: Asker) -> PyResult<Self> {
         let object = match object.cast::<Block>() {
             Ok(block) => Bound::new(object.py(), seen(block)?.fresh(object.py())?)?.into_any(),
@@ -46,7 +46,7 @@ impl PythonStabilizer {
         Ok(Self { object: Some(object.unbind()), run })
     }
 
-    /// One that rejects every sample, as `run` is over.
+    /// A stabilizer without an object, for a `run` that is over: it rejects every sample.
     pub(crate) fn none(run: Asker) -> Self {
         Self { object: None, run }
     }

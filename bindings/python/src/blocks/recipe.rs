@@ -65,8 +65,8 @@ pub(crate) struct Recipe {
     pub(crate) numbers: Vec<f64>,
     /// The damping that a candidate credits.
     pub(crate) damping: Option<f64>,
-    /// A candidate written in Python, the same reference that what is made of the recipe holds: whoever collects garbage
-    /// counts it once.
+    /// A candidate written in Python. What is made of the recipe shares this reference, so that the garbage collector counts
+    /// one.
     pub(crate) object: Option<Arc<Py<PyAny>>>,
 }
 

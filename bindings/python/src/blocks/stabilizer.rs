@@ -187,7 +187,7 @@ impl Stabilizer {
     }
 
     fn __clear__(&mut self) {
-        // A candidate that holds the block is let go by both who hold it here.
+        // The member and the recipe both hold the candidate, which may hold this block: both let it go.
         let none = with_axes!(self.count(), AnyMember, V => Made::<V>::NoStabilizer(NoStabilizer));
         self.member = none.expect("axes that the block has");
         self.recipe = Recipe { name: "none", numbers: Vec::new(), damping: None, object: None };

@@ -132,7 +132,7 @@ fn drain<V: Space>(
 ) -> Result<Told, Fault> {
     let (mut summary, mut curves) = (Summary::under(scene, &rollout), Curves::new(scene));
     for tick in rollout {
-        // The tick at 0 s is the first, and no tick of the scene's duration.
+        // The first tick is at 0 s, and is not counted in the total.
         let done = if summary.rows == 0 { 0 } else { BREATH };
         if summary.rows.is_multiple_of(BREATH) && watched.add(done) == ControlFlow::Break(()) {
             return Err(Fault::Stopped);

@@ -83,7 +83,7 @@ fn asked(scene: &Bound<'_, Scene>, x: &str, y: &str, names: &str) -> PyResult<(S
 #[pyclass(module = "lyapunov._lyapunov")]
 pub(crate) struct MapMerge {
     path: PathBuf,
-    /// The file while it is unfinished, and the process whose it is: a forked one leaves it alone.
+    /// The file while it is unfinished, and the process that began it: a fork of that leaves the file alone.
     part: PathBuf,
     process: u32,
     /// None where the last table was refused.
@@ -157,10 +157,10 @@ impl MapMerge {
 impl Drop for MapMerge {
     fn drop(&mut self) {
         if process::id() == self.process {
-            // What is complete has another name by now.
+            // A complete map has its own name by now, and nothing is left under this one.
             let _ = fs::remove_file(&self.part);
         } else {
-            // Dropped, it would write what its own process has still to write.
+            // To drop it would write its buffer, which the process that began it writes as well.
             mem::forget(self.begun.take());
         }
     }

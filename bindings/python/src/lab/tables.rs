@@ -5,7 +5,7 @@ use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
 
 use crate::errors;
 
-/// Dictionaries and lists within each other that are read: scene files have four, and a dictionary that holds itself has no end.
+/// The deepest nesting that is read: scene files have four levels, and a dictionary that holds itself has no end.
 const DEEPEST: u32 = 64;
 
 /// The table that a dictionary is.
@@ -38,7 +38,7 @@ fn leaf(inner: &Bound<'_, PyAny>, path: &str, left: u32) -> PyResult<toml::Value
     if let Some(value) = plain(inner, path, left, leaf)? {
         return Ok(value);
     }
-    // Scalars and arrays of NumPy tell themselves as numbers and lists; what they tell is asked for no list again.
+    // Scalars and arrays of NumPy give numbers and lists by `tolist`; what that returns is not asked for it again.
     match inner.call_method0("tolist") {
         Ok(told) => of_numpy(&told, path, left),
         Err(_) => Err(no_value(inner, path)),
@@ -50,7 +50,7 @@ fn of_numpy(told: &Bound<'_, PyAny>, path: &str, left: u32) -> PyResult<toml::Va
     plain(told, path, left, of_numpy)?.ok_or_else(|| no_value(told, path))
 }
 
-/// Reads what lies within a list.
+/// Reader of the items of a list.
 type Within = fn(&Bound<'_, PyAny>, &str, u32) -> PyResult<toml::Value>;
 
 /// The value of TOML that a value of Python's own types is; none of other types.

@@ -31,7 +31,7 @@ pub(crate) struct Told {
     pub(crate) further: Held,
 }
 
-/// Columns, as arrays of NumPy from when they are first asked for.
+/// Columns, which become arrays of NumPy when they are first asked for.
 #[derive(Debug)]
 pub(crate) struct Held(Mutex<Kept>);
 

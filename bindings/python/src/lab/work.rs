@@ -18,7 +18,7 @@ use crate::errors;
 /// Time between two looks at signals.
 const BREATH: Duration = Duration::from_millis(50);
 
-/// Time that stopped work is waited for.
+/// The longest time to wait for work that was told to stop.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// Why work ended without a result.
@@ -59,7 +59,7 @@ impl Watched {
         Self { stopped: Arc::default(), done: AtomicU64::new(0), total }
     }
 
-    /// Whether it has to end, for those who outlive the work.
+    /// Whether it has to end, shared with what may live longer than the work.
     pub(crate) fn stop(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.stopped)
     }
@@ -100,8 +100,8 @@ pub(crate) fn wait<T: Send + 'static>(
 
 /// The same of work that may ask Python, which runs on a thread of its own.
 ///
-/// Python may call the lab from there, or wait for who calls it. It holds no thread of the pool meanwhile: where each held
-/// one, there would be none left for the work that they wait for.
+/// Python may call the lab from there, or wait for a thread that calls it. Such work holds no thread of the pool: if each held
+/// one, none might be left for the calls that they wait for.
 pub(crate) fn wait_asking<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,

@@ -108,7 +108,7 @@ fn fill(folder: &Folder<'_>, mut results: Results, sheets: &[Sheet]) -> Result<(
     folder.fill(results)
 }
 
-/// Names that the files of each file begin with, none of them that of the rows.
+/// The beginning of the names of the output files for each of `files`; none is that of the rows.
 fn beside_rows<'a>(files: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     names(std::iter::once(ROWS).chain(files)).split_off(1)
 }
