@@ -4,7 +4,7 @@ use lyapunov::environments::{ForceLaw, Kinematics, Wall};
 use lyapunov::{Correction, Mask, ParameterError, PortSample, Scalar};
 
 use super::backward::Fuse;
-use super::parts::Lanes;
+use super::parts::LaneScenes;
 use crate::files::scene::Draft;
 use crate::measure::runs::{Instant, Measures, Meter as _, Meters, Ran};
 use crate::measure::{Fate, Verdict, Watched, Yardstick, device_damper};
@@ -20,7 +20,7 @@ pub(super) trait Meter<T: Fuse>: Sized {
     where
         Self: 'a;
 
-    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError>;
+    fn new(lanes: LaneScenes<'_>) -> Result<Self, ParameterError>;
 
     /// The ticks that one watch may take from here on, at least one.
     fn room(&mut self) -> u64;
@@ -105,7 +105,7 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
 
     type Watch<'a> = WatchedVerdicts<'a, T>;
 
-    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
+    fn new(lanes: LaneScenes<'_>) -> Result<Self, ParameterError> {
         let (fate, accepted) = (Fate::of_lanes(lanes.0), Mask::of(true));
         Ok(Self { fate, lanes: lanes.0.len(), lost: 0, accepted })
     }
@@ -196,7 +196,7 @@ impl<T: Fuse> Meter<T> for Everything<T> {
     where
         T: 'a;
 
-    fn new(lanes: Lanes<'_>) -> Result<Self, ParameterError> {
+    fn new(lanes: LaneScenes<'_>) -> Result<Self, ParameterError> {
         let common = lanes.common();
         let rate = common.servo_rate.get();
         let rest = |scene: &Draft| Criterion::of(scene).rest();

@@ -16,9 +16,9 @@ use crate::files::scene::{self, Damping, Draft};
 
 /// Scenes of the lanes, alike in rates and duration; lanes beyond the last scene repeat it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lanes<'a>(pub(super) &'a [Draft]);
+pub(super) struct LaneScenes<'a>(pub(super) &'a [Draft]);
 
-impl<'a> Lanes<'a> {
+impl<'a> LaneScenes<'a> {
     /// A scene for the numbers that all scenes have in common.
     pub(super) fn common(self) -> &'a Draft {
         &self.0[0]
@@ -104,7 +104,7 @@ impl<T: Scalar> Bodies<T> {
 
 /// A stabilizer with the numbers of each lane.
 pub(super) trait Laned<T: Scalar>: Accounted<T> {
-    fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
+    fn of(lanes: LaneScenes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
 
     /// The same with the account of some `lanes` cleared.
     fn cleared(self, lanes: T::Mask) -> Self;
@@ -123,7 +123,7 @@ pub(super) trait Accounted<T: Scalar>: Stabilizer<T> + Copy {
 }
 
 impl<T: Scalar> Laned<T> for NoStabilizer {
-    fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
+    fn of(_lanes: LaneScenes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok(Self)
     }
 
@@ -154,7 +154,7 @@ macro_rules! checked {
 checked!(NoStabilizer, Member<T, (PortEnergy, Dissipation<T>)>);
 
 impl<T: Scalar, C: Crediting<T>> Laned<T> for Lolc<T, C, Held> {
-    fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
+    fn of(lanes: LaneScenes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
         let damping = |scene: &Draft| scene.damping(scene.damping_cap());
         let limit = Damping::limit_of_lanes(&|lane| damping(lanes.of(lane)))?;
         Ok(Self::new(C::of(lanes, wall)?, limit))
@@ -187,7 +187,7 @@ impl<T: Scalar, C: Crediting<T>> Accounted<T> for Lolc<T, C, Held> {
 
 /// A candidate with the numbers of each lane.
 pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Copy {
-    fn of(lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
+    fn of(lanes: LaneScenes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError>;
 
     /// The damping that it credits, N·s/m.
     fn damping(&self) -> T;
@@ -197,7 +197,7 @@ pub(super) trait Crediting<T: Scalar>: LyapunovCandidate<T> + Copy {
 }
 
 impl<T: Scalar> Crediting<T> for PortEnergy {
-    fn of(_lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
+    fn of(_lanes: LaneScenes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok(Self)
     }
 
@@ -213,7 +213,7 @@ impl<T: Scalar> Crediting<T> for PortEnergy {
 }
 
 impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T>) {
-    fn of(lanes: Lanes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
+    fn of(lanes: LaneScenes<'_>, _wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok((PortEnergy, Dissipation::of(lanes.each(|scene| scene.device.damping.get()))?))
     }
 
@@ -229,7 +229,7 @@ impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T>) {
 }
 
 impl<T: Scalar> Crediting<T> for (PortEnergy, Dissipation<T, InContact<T>>) {
-    fn of(_lanes: Lanes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
+    fn of(_lanes: LaneScenes<'_>, wall: &Wall<T>) -> Result<Self, ParameterError> {
         Ok((PortEnergy, wall.dissipation()))
     }
 

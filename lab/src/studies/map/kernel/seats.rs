@@ -1,7 +1,7 @@
 //! Assignment of cells to lanes.
 
 use super::field::Copier;
-use super::parts::Lanes;
+use super::parts::LaneScenes;
 use crate::files::scene::{Draft, Scene};
 
 /// Cells that wait for a lane, and their scenes.
@@ -41,7 +41,7 @@ impl<'a> Seats<'a> {
     }
 
     /// The next cells, at most `lanes` and alike in rates and duration, with the place of the first one.
-    pub(super) fn next(&mut self, lanes: usize) -> Option<(usize, Lanes<'_>)> {
+    pub(super) fn next(&mut self, lanes: usize) -> Option<(usize, LaneScenes<'_>)> {
         let first = self.taken;
         let waiting = self.cells.get(first..)?;
         let mut count = 0;
@@ -56,7 +56,7 @@ impl<'a> Seats<'a> {
             count += 1;
         }
         self.taken += count;
-        (count > 0).then(|| (first, Lanes(&self.scenes[..count])))
+        (count > 0).then(|| (first, LaneScenes(&self.scenes[..count])))
     }
 }
 
