@@ -203,6 +203,21 @@ fn a_run_in_a_space_comes_to_rest_where_the_summary_says() {
     let grazing = pressed(&format!("{}{disc}", start("[0.019999999, 0.0]", "[0.03, 0.0]")));
     let told = Summary::new(&grazing).equilibrium.expect("a place on the surface");
     assert!((told[0] - 0.02).abs() < 1e-9 && told[1] == 0.0, "{told:?}");
+    // However stiff a surface is, a hand behind it rests on it.
+    for stiffness in ["1e8", "2e10", "1e13", "1e16"] {
+        let stiff = |environment: &str| {
+            let text = environment.replace("stiffness = 3000", &format!("stiffness = {stiffness}"));
+            pressed(&format!("{}{text}", start("[-0.01, -0.005]", "[-0.05, 0.0]")))
+        };
+        let told = |environment: &str| Summary::new(&stiff(environment)).equilibrium;
+        let on = told(rectangle).unwrap_or_else(|| panic!("{stiffness}"));
+        let faces = [[-0.02, -0.005], [0.02, -0.005], [-0.01, 0.03], [-0.01, -0.03]];
+        let near = |[x, y]: [f64; 2]| (on[0] - x).hypot(on[1] - y) < 1e-8;
+        assert!(faces.into_iter().any(near), "{stiffness}: {on:?}");
+        let on = told(disc).unwrap_or_else(|| panic!("{stiffness}"));
+        assert!((on[0].hypot(on[1]) - 0.02).abs() < 1e-8, "{stiffness}: {on:?}");
+        assert!(told(plane).is_some(), "{stiffness}");
+    }
     // In the very middle of a ball no direction leads out.
     let middle = pressed(&format!("{}{disc}", start("[0.0, 0.0]", "[0.01, 0.04]")));
     assert_eq!(Summary::new(&middle).equilibrium, None);

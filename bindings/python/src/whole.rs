@@ -69,7 +69,7 @@ macro_rules! arguments {
     )+};
 }
 
-arguments!(0 or more: delay: u32, seed: u64, ticks: u64);
+arguments!(0 or more: delay: u32, late: u32, seed: u64, ticks: u64);
 arguments!(1 or more: loops: usize, members: u64);
 
 /// Readers of the arguments with these names, which may be left out.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use lyapunov_lab::identify::{Identified, Recording, Settings};
+use lyapunov_lab::identify::{Alone, Identified, Recording, Settings};
 use lyapunov_lab::observe::{Columns, Scale};
 
 use super::apart::apart;
@@ -35,6 +35,12 @@ pub(crate) struct Identify {
     /// A factor from the log's unit of t, x, f or v to SI, as in x=1e-3,t=1e-6; f=-1 turns the sign.
     #[arg(long, value_name = "COLUMN=FACTOR", value_delimiter = ',', allow_hyphen_values = true)]
     scale: Vec<Scale>,
+    /// The mass of the device without the hand, kg: a log tells only the sum of both. The rest of the sum is the hand's.
+    #[arg(long, value_name = "KG", allow_negative_numbers = true)]
+    device_mass: Option<f64>,
+    /// The damping of the device without the hand, N·s/m, as surely is there; the rest of the sum is the hand's.
+    #[arg(long, value_name = "B", allow_negative_numbers = true)]
+    device_damping: Option<f64>,
     /// Write report.html, identify.json, the scene (identify.toml), the numbers (CSV) and the plot (SVG and PNG) into
     /// this folder; made if not there.
     #[arg(long, value_name = "DIR")]
@@ -49,14 +55,17 @@ pub(crate) struct Identify {
 
 impl Identify {
     pub(crate) fn run(&self) -> Result<(), End> {
-        let settings = Settings { columns: self.columns.clone(), scales: self.scale.clone() };
+        let alone = Alone { mass: self.device_mass, damping: self.device_damping };
+        let (columns, scales) = (self.columns.clone(), self.scale.clone());
+        let settings = Settings { columns, scales, alone };
         let inputs = Inputs::of("the log", [&self.log]);
         let files = names(RESULTS, ["identify"], ["identify.toml", "identify.csv"]);
         let folder = Folder::asked(self.out.as_deref(), files, &inputs)?;
         let (recording, name) = Source::read_by(&self.log, self.quiet, |log, name| {
             Recording::read(log, name, &settings).map(|it| (it, name.to_owned()))
         })?;
-        let identified = apart(move || Identified::of(recording, &name))?.map_err(End::input)?;
+        let identified =
+            apart(move || Identified::of(recording, &name, alone))?.map_err(End::input)?;
         let json = identified.to_json();
         if let Some(folder) = folder {
             let results = Results::new(identified.to_html(&command_line()), RESULTS, &json);

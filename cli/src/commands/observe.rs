@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use lyapunov_lab::family::StabilizerNames;
-use lyapunov_lab::observe::{self, Asked, Candidate, Columns, Observed, Scale, Settings};
+use lyapunov_lab::observe::{self, Asked, Candidate, Columns, Scale, Settings};
 use lyapunov_lab::scene::Scene;
 
 use super::folder::Folder;
@@ -52,6 +52,10 @@ pub(crate) struct Observe {
     /// The force above which there is contact, N [default: 1 % of the largest so far].
     #[arg(long, value_name = "NEWTON", allow_negative_numbers = true)]
     contact: Option<f64>,
+    /// The rows by which the force acts later than its own, as where the log holds commands and the motor is late; identify
+    /// tells them. The first rows, on which forces from before the log act, are left out.
+    #[arg(long, value_name = "ROWS", default_value_t = 0, value_parser = clap::value_parser!(u32).range(..=1000))]
+    late: u32,
     /// Ask these stabilizers what they would have done on the recorded motion, by name, or all; docs/family.md has the
     /// names. Had one acted, the motion would have been another.
     #[arg(long, value_name = "NAMES")]
@@ -79,6 +83,7 @@ impl Observe {
             candidate: Candidate::named(&self.candidate, self.damping, self.surface)
                 .map_err(End::input)?,
             contact: self.contact,
+            late: self.late,
         };
         let asked = self.asked()?;
         let mut inputs = Inputs::of("the log", [&self.log]);

@@ -5,6 +5,7 @@ mod against;
 mod command;
 mod headings;
 mod hostile;
+mod late;
 mod naive;
 mod random;
 mod replay;

@@ -159,6 +159,7 @@ impl Log {
                 .collect(),
             candidate: self.candidate,
             contact: Some(self.threshold),
+            late: 0,
         }
     }
 

@@ -61,18 +61,21 @@ where
         let NearestPoint { depth, normal } = solid.nearest(place);
         clipped(normal * (push * depth.max(0.0)))
     };
-    let balances = |place: &SVector<f64, N>| {
-        let hand = (free - *place) * pull;
+    let balances = |place: SVector<f64, N>| {
+        let hand = (free - place) * pull;
         // Coordinates are rounded too.
-        (hand + force(*place)).norm() <= BALANCED * (hand.norm() + pull * free.norm())
+        (hand + force(place)).norm() <= BALANCED * (hand.norm() + pull * free.norm())
     };
     let pressed = sides(scene, &*solid, free)?.into_iter().filter(|side| side.depth > 0.0);
-    let pressed = pressed.map(|side| {
+    let pressed = pressed.filter_map(|side| {
         let held = side.normal * (side.depth * push / (pull + push) * pull);
-        free + clipped(held) / pull
+        let place = free + clipped(held) / pull;
+        // A stiff side makes much of how the place is rounded, where forces could not be compared.
+        let is_held = clipped(held) == held && solid.nearest(place).normal.dot(&side.normal) > 0.5;
+        (is_held || balances(place)).then_some(place)
     });
     let alone = Some(free).filter(|free| force(*free).norm() == 0.0);
-    Some(alone.into_iter().chain(pressed.filter(balances)).collect())
+    Some(alone.into_iter().chain(pressed).collect())
 }
 
 /// The sides of a `solid` seen from `free`; none in the middle of a ball, where no direction leads out.

@@ -1,5 +1,6 @@
 //! Scenes fitted to logs of known truth.
 
+mod alone;
 mod coverage;
 mod loops;
 mod notes;

@@ -188,6 +188,7 @@ def observe(
     contact: float | None = None,
     stabilizers: str | Iterable[str] | None = None,
     scene: SceneLike | None = None,
+    late: int = 0,
     progress: Progress = None,
 ) -> Observation:
     """When a recorded device generated energy, how much and in which contact.
@@ -196,7 +197,8 @@ def observe(
     dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI, as in
     "x=1e-3", several in a list, or {"x": 1e-3}. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or
     "mass-spring-damper" with `surface`, m, too. `contact`, N, is the force above which there is contact. With `stabilizers` and
-    the `scene` that sets their numbers, what they would have done on the recorded motion.
+    the `scene` that sets their numbers, what they would have done on the recorded motion. `late` is by how many rows the force acts
+    later than its own.
     """
     named = _names("columns", columns)
     with shown(progress, "observe") as bar:
@@ -210,6 +212,7 @@ def observe(
             contact,
             _names("stabilizers", stabilizers),
             None if scene is None else _scene(scene),
+            late,
             bar,
         )
     return Observation(told)

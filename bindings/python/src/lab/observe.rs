@@ -14,7 +14,7 @@ use super::columns::{Columns, Kinds};
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
-use crate::number;
+use crate::{number, whole};
 
 /// The columns of stabilizers on the recorded motion that do not hold numbers.
 const REPLAYED: Kinds<'_> = Kinds {
@@ -64,7 +64,7 @@ impl Source {
 /// When a recorded device generated energy, and what stabilizers would have done.
 #[pyfunction]
 #[pyo3(signature = (log, columns=None, scale=Vec::new(), candidate="spring", damping=None, surface=None, contact=None,
-    stabilizers=None, scene=None, progress=None))]
+    stabilizers=None, scene=None, late=0, progress=None))]
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn observe(
     py: Python<'_>,
@@ -77,6 +77,7 @@ pub(crate) fn observe(
     #[pyo3(from_py_with = number::contact_if_any)] contact: Option<f64>,
     stabilizers: Option<&str>,
     scene: Option<&Bound<'_, Scene>>,
+    #[pyo3(from_py_with = whole::late)] late: u32,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Told> {
     let columns = columns.map_or_else(|| Ok(LogColumns::default()), str::parse);
@@ -98,6 +99,7 @@ pub(crate) fn observe(
         scales: scales.collect::<Result<_, _>>().map_err(errors::input)?,
         candidate: Candidate::named(candidate, damping, surface).map_err(errors::input)?,
         contact,
+        late,
     };
     let (source, name) = Source::of(log)?;
     wait(py, progress, source.size(), move |watched| {

@@ -64,7 +64,7 @@ impl RowReader {
         let [t, x, f] = [Role::T, Role::X, Role::F].map(|role| self.value(role, fields));
         let v = self.has_velocity.then(|| self.value(Role::V, fields)).transpose();
         let (t, x, f, v) = (t?, x?, f?, v?);
-        Ok(Sample { line, t, since: self.since(t, fields[Role::T.index()]), x, f, v })
+        Ok(Sample { line, t, since: self.since(t, fields[Role::T.index()]), x, f, commanded: f, v })
     }
 
     /// The time from the first good row to the row at `time`, whose stamp is in `field`.

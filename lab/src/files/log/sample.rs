@@ -10,7 +10,10 @@ pub(crate) struct Sample {
     /// Time since the first good row, s: more digits are left of it than of the difference of two times.
     pub(crate) since: f64,
     pub(crate) x: f64,
+    /// The force that acts from this row until the next.
     pub(crate) f: f64,
+    /// The force that stands in this row: the same, unless it acts late.
+    pub(crate) commanded: f64,
     pub(crate) v: Option<f64>,
 }
 

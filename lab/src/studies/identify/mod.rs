@@ -21,6 +21,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod alone;
 mod base;
 mod blocks;
 mod device;
@@ -42,6 +43,7 @@ mod wall;
 
 use std::io::Read;
 
+pub use alone::Alone;
 pub use estimate::Estimate;
 pub use recording::Recording;
 pub use report::{Report, Residual, WallReport};
@@ -58,6 +60,8 @@ pub struct Settings {
     pub columns: Columns,
     /// Factors to SI units; those of the same column multiply.
     pub scales: Vec<Scale>,
+    /// What is known of the device without the hand.
+    pub alone: Alone,
 }
 
 /// Result of fitting a scene to a log.
@@ -79,20 +83,22 @@ pub struct Identified {
 /// A log without the requested columns, one that is too long or too short, one that is not moved by its force, and a stream
 /// that fails.
 pub fn identify(log: impl Read, name: &str, settings: &Settings) -> Result<Identified, LogError> {
-    Identified::of(Recording::read(log, name, settings)?, name)
+    Identified::of(Recording::read(log, name, settings)?, name, settings.alone)
 }
 
 impl Identified {
-    /// Fits a scene to the recording of the log called `name`.
+    /// Fits a scene to the recording of the log called `name`, on a device of which some is known `alone`.
     ///
     /// # Errors
-    /// A recording that is not moved by its force.
-    pub fn of(recording: Recording, name: &str) -> Result<Self, LogError> {
+    /// A recording that is not moved by its force; a device alone that is below 0 or above the sum that was fitted.
+    pub fn of(recording: Recording, name: &str, alone: Alone) -> Result<Self, LogError> {
         let device = Device::of(&recording)
             .map_err(|fault| fault.about(name, recording.gaps, &recording.bad_rows))?;
         let wall = Wall::of(&recording.stretches, device.fitted(), device.lag(), device.unsure());
         let mut report = Report::of(name, &recording, &device, wall.as_ref());
-        let scene = scene::toml(&report, recording.origin);
+        alone.check(&report)?;
+        report.notes.extend(alone.note());
+        let scene = scene::toml(&report, alone, recording.origin);
         let replay = Replay::of(&scene, &recording);
         report.replayed = replay.as_ref().map(|it| it.error);
         Ok(Self { report, scene, recording, device, wall, replay })

@@ -28,7 +28,6 @@ pub(super) fn notes(recording: &Recording, device: &Device, wall: Option<&Wall>)
         wall.and_then(|wall| left(recording, wall)),
         wall.and_then(stray),
         wall.and_then(blurred),
-        Some("hand and device move as one here: a log of one position does not tell their masses apart".to_owned()),
     ];
     told.into_iter().flatten().collect()
 }
@@ -48,7 +47,8 @@ fn pushed(device: &Device) -> Option<String> {
             "something pushes that the log does not hold, as a hand that moves or dry friction does, or f is logged late or with \
              fewer rows than the loop has ticks: from its first row the model follows the log within {whole}, over 32 rows and \
              with a constant force of their own within {short}; the numbers are those of the latter, with intervals that span both \
-             fits; what pushes may bias them"
+             fits; what pushes may bias them. The scene's hand stands still: for runs like the log give it its motion, \
+             operator.motion, or a rest beyond the wall"
         ));
     }
     let steps = match device.unlike? {
@@ -69,12 +69,15 @@ fn late(recording: &Recording, device: &Device, wall: Option<&Wall>) -> Option<S
     };
     match (acts, answers) {
         (0, 0) => None,
-        (acts, 0) => Some(format!("f acts {} late; the scene has that delay", rows(acts))),
+        (acts, 0) => Some(format!(
+            "f acts {} late; the scene has that delay, and observe needs --late {acts}",
+            rows(acts)
+        )),
         (0, answers) => {
             Some(format!("the wall answers {} late; the scene has that delay", rows(answers)))
         }
         _ => Some(format!(
-            "f acts {} late and the wall answers {} late; the scene has the delay of both",
+            "f acts {} late and the wall answers {} late; the scene has the delay of both, and observe needs --late {acts}",
             rows(acts),
             rows(answers)
         )),

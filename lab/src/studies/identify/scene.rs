@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use super::alone::Alone;
 use super::estimate::Estimate;
 use super::report::Report;
 use crate::text::legible;
@@ -9,15 +10,16 @@ use crate::text::legible;
 /// Share of a tick by which a log may end after the last one.
 const ROUNDING: f64 = 1e-6;
 
-/// The scene that `report` tells, every fitted number with its interval; `origin` is the log's position nearest to 0.
-pub(super) fn toml(report: &Report, origin: f64) -> String {
+/// The scene that `report` tells, every fitted number with its interval, of a device that is known `alone`; `origin` is the log's
+/// position nearest to 0.
+pub(super) fn toml(report: &Report, alone: Alone, origin: f64) -> String {
     let mut text = String::new();
     // Writing to a string never fails.
-    let _ = write(&mut text, report, origin);
+    let _ = write(&mut text, report, alone, origin);
     text
 }
 
-fn write(out: &mut String, report: &Report, origin: f64) -> std::fmt::Result {
+fn write(out: &mut String, report: &Report, alone: Alone, origin: f64) -> std::fmt::Result {
     let place = |it: f64| origin + tidy(it - origin);
     let name = legible(&report.log);
     writeln!(out, "# Fitted to {name}: mass, damping, spring and wall with their 95 % intervals.")?;
@@ -36,12 +38,24 @@ fn write(out: &mut String, report: &Report, origin: f64) -> std::fmt::Result {
         None if origin != 0.0 => writeln!(out, "rest = {origin:?}")?,
         None => {}
     }
-    writeln!(
-        out,
-        "\n# Hand and device move as one.\n[device]\nmass = {}",
-        told(&report.mass, "kg", tidy)
-    )?;
-    writeln!(out, "damping = {}", told(&report.damping, "N.s/m", tidy))?;
+    let parts = [
+        ("mass", &report.mass, "kg", alone.mass),
+        ("damping", &report.damping, "N.s/m", alone.damping),
+    ];
+    for (key, sum, unit, own) in parts {
+        if let Some(own) = own {
+            let [both, low, high] = sum.words();
+            let rest = tidy(sum.value - own);
+            writeln!(out, "{key} = {rest:?} # {unit}; with the device's {both}, {low} to {high}")?;
+        }
+    }
+    writeln!(out, "\n[device]")?;
+    for (key, sum, unit, own) in parts {
+        match own {
+            Some(own) => writeln!(out, "{key} = {own:?} # {unit}, as told")?,
+            None => writeln!(out, "{key} = {}; of the hand too", told(sum, unit, tidy))?,
+        }
+    }
     let (position, velocity) = (place(report.start[0]), tidy(report.start[1]));
     writeln!(out, "\n[initial]\nposition = {position:?}\nvelocity = {velocity:?}")?;
     match &report.wall {

@@ -16,6 +16,7 @@
 
 mod candidate;
 mod contact;
+mod late;
 mod marks;
 mod observed_energy;
 mod page;
@@ -55,6 +56,8 @@ pub struct Settings {
     pub candidate: Candidate,
     /// The force above which there is contact, N; none: 1 % of the largest so far.
     pub contact: Option<f64>,
+    /// The rows by which the force acts after its own.
+    pub late: u32,
 }
 
 impl Settings {
@@ -120,12 +123,18 @@ fn heard(
     settings.check()?;
     let candidate = settings.candidate.checked()?;
     let mut log = Log::open(log, name, &settings.columns, &settings.scales)?;
-    let mut watch = Watch::new(candidate, settings.contact, listener()?);
+    let mut watch = Watch::new(candidate, settings, listener()?);
     while let Some(entry) = log.read().map_err(|error| LogError::unreadable(name, &error))? {
         watch.add(&entry);
     }
     let (report, traces) = watch.finish(name)?;
     let (columns, decimal_commas) = (log.columns().to_vec(), log.has_decimal_commas());
-    let report = Report { candidate: settings.candidate, columns, decimal_commas, ..report };
+    let report = Report {
+        candidate: settings.candidate,
+        late: settings.late,
+        columns,
+        decimal_commas,
+        ..report
+    };
     Ok(Observed { report, traces })
 }

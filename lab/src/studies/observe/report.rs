@@ -22,6 +22,9 @@ pub struct Report {
     pub decimal_commas: bool,
     /// The candidate whose decrease is summed.
     pub candidate: Candidate,
+    /// The rows by which the force acts after its own, as told; left out of the JSON where it does not.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub late: u32,
     /// The number of good rows.
     pub rows: u64,
     /// The bad rows.
@@ -55,6 +58,10 @@ pub struct Report {
     /// What stabilizers would have done; none where nobody was asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replay: Option<Replay>,
+}
+
+fn is_zero(rows: &u32) -> bool {
+    *rows == 0
 }
 
 impl Report {

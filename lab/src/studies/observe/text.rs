@@ -8,7 +8,7 @@ use super::observed_energy::ObservedEnergy;
 use super::report::Report;
 use crate::files::log::{GAP, described};
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{folded, found, legible, prefix};
+use crate::text::{counted, folded, found, legible, prefix};
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -84,10 +84,12 @@ impl Units {
 }
 
 impl Report {
-    /// Writes what was read from the headings and not asked for.
+    /// Writes what was read from the headings and not asked for, and by how many rows the force was told to be late.
     fn write_columns(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let told = described(&self.columns, self.decimal_commas);
-        told.map_or(Ok(()), |told| line(f, "columns", &told))
+        told.map_or(Ok(()), |told| line(f, "columns", &told))?;
+        let told = format!("f acts {} after its own, as told", counted(self.late as usize, "row"));
+        if self.late > 0 { line(f, "late", &told) } else { Ok(()) }
     }
 
     fn write_rows(&self, f: &mut fmt::Formatter<'_>, units: &Units) -> fmt::Result {

@@ -2,8 +2,10 @@
 
 use lyapunov::{Held, Ledger, Observer, Sampled, Work, accumulators::Compensated};
 
+use super::Settings;
 use super::candidate::Credited;
 use super::contact::{Finder, Push};
+use super::late::Late;
 use super::observed_energy::ObservedEnergy;
 use super::replay::Listener;
 use super::report::{ConstantDamper, Energy, Report};
@@ -22,6 +24,7 @@ type Observing<W> = Observer<Credited, W, Compensated<f64>>;
 /// The observers over the steps of a log, with everything that a report needs.
 #[derive(Debug)]
 pub(super) struct Watch {
+    late: Late,
     rows: u64,
     bad: BadRows,
     first: Option<Sample>,
@@ -37,10 +40,11 @@ pub(super) struct Watch {
 impl Watch {
     pub(super) fn new(
         candidate: Credited,
-        contact: Option<f64>,
+        settings: &Settings,
         listener: Option<Box<dyn Listener>>,
     ) -> Self {
         Self {
+            late: Late::by(settings.late),
             rows: 0,
             bad: BadRows::default(),
             first: None,
@@ -49,14 +53,15 @@ impl Watch {
             forces: None,
             waiting: Vec::with_capacity(WAITING),
             period: None,
-            account: Books::new(candidate, contact, listener),
+            account: Books::new(candidate, settings.contact, listener),
         }
     }
 
     pub(super) fn add(&mut self, entry: &Entry<'_>) {
+        let Some(acting) = self.late.acting(entry) else { return };
         match entry {
-            Entry::Good(reading) => self.good(reading),
-            Entry::Bad(bad) => self.bad(bad),
+            Entry::Good(reading) => self.good(&Sample { f: acting, ..*reading }),
+            Entry::Bad(bad) => self.bad(&Bad { force: Some(acting), ..*bad }),
         }
     }
 

@@ -63,7 +63,7 @@ impl Account {
             work: sample.work + gained,
             ..*sample
         };
-        let answer = self.entrant.answer(&sample, row.f);
+        let answer = self.entrant.answer(&sample, row.commanded);
         self.pending.push_back(answer.added);
         self.acting = self.pending.pop_front().unwrap_or(0.0);
         self.squares.add(answer.added * answer.added);
