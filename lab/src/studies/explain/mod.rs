@@ -104,7 +104,8 @@ impl Explanation {
             remedies: Vec::new(),
             look_at,
         };
-        let search = explanation.goal().map(|goal| Search { goal, run, watch });
+        let own = trial.feel;
+        let search = explanation.goal().map(|goal| Search { goal, own, run, watch });
         let remedies = search.map_or_else(Vec::new, |it| it.remedies(scene));
         Self { remedies, ..explanation }
     }

@@ -61,6 +61,8 @@ pub(super) type Run = fn(&Scene, &Watch<'_>) -> Option<Trial>;
 /// Search for changes whose run reaches a goal.
 pub(super) struct Search<'a> {
     pub(super) goal: Goal,
+    /// The forces of the run without a change: what leaves them as they are does nothing.
+    pub(super) own: Feel,
     pub(super) run: Run,
     pub(super) watch: &'a Watch<'a>,
 }
@@ -86,7 +88,8 @@ impl Search<'_> {
             return None;
         }
         let trial = (self.run)(&scene, self.watch);
-        let trial = trial.filter(|trial| self.goal.is_reached(trial.verdict))?;
+        let helps = |trial: &Trial| self.goal.is_reached(trial.verdict) && trial.feel != self.own;
+        let trial = trial.filter(helps)?;
         let Trial { verdict, feel: Feel { peak, error }, .. } = trial;
         Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
     }

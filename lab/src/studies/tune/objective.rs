@@ -13,6 +13,9 @@ pub struct Objective {
     weights: [f64; Term::ALL.len()],
 }
 
+/// Weights whose costs can be squared, as the interval of a change does.
+const WEIGHTS: std::ops::RangeInclusive<f64> = 1e-50..=1e50;
+
 /// Cost of a run that an objective may count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Term {
@@ -124,9 +127,9 @@ impl FromStr for Objective {
                 )));
             };
             let number: Option<f64> = weight.parse().ok();
-            let Some(weight) = number.filter(|weight| *weight > 0.0 && weight.is_finite()) else {
+            let Some(weight) = number.filter(|weight| WEIGHTS.contains(weight)) else {
                 let problem = format!("the weight of `{name}` is `{weight}`");
-                let remedy = "give a number greater than 0, as in settling=1,force-error=0.5";
+                let remedy = "give a number from 1e-50 to 1e50, as in settling=1,force-error=0.5";
                 return Err(ObjectiveError(format!("{problem}\n  = {remedy}")));
             };
             if weights[term as usize] > 0.0 {
