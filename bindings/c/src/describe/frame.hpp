@@ -37,7 +37,13 @@ namespace lyapunov {
 
 namespace detail {
 
-template <class T, std::size_t N> struct axes_of;
+// None of those below. Its type keeps the refusal the only error.
+template <class T, std::size_t N> struct axes_of {
+    static_assert(N == 3 || N == 6, "signals have 1, 3 or 6 axes: one is float or double itself; for two take Axes<T, 3> and leave "
+                                    "the third at 0, for four or five Axes<T, 6>");
+    static_assert(std::is_same<T, float>::value || std::is_same<T, double>::value, "axes are of float or double");
+    using type = T;
+};
 template <> struct axes_of<float, 3> { using type = lyapunov_f32x3; };
 template <> struct axes_of<float, 6> { using type = lyapunov_f32x6; };
 template <> struct axes_of<double, 3> { using type = lyapunov_f64x3; };

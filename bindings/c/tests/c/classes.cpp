@@ -170,6 +170,10 @@ void waves()
 #endif
 }
 
+#if REFUSED == 9
+lyapunov::Popc<lyapunov::Axes<float, 2>> on_two_axes;
+#endif
+
 // A block is its storage, whatever its verbs: as large, and copied byte by byte.
 template <class Block> constexpr bool is_its_storage()
 {
