@@ -208,6 +208,28 @@ flash() { # target, flags, its name in the README: bytes of code and of memory b
         END { exit failed }'
 }
 
+example_in_flash() { # flags of the Cortex-M4F: bytes of the README's first example, as its table has them
+    local row flags told now failed=0
+    while IFS='|' read -r row flags; do
+        # shellcheck disable=SC2086
+        bare "$out/example.elf" "$1" -Os -nostartfiles -Wl,--entry=loop $flags tests/bare/example.c target/thumbv7em-none-eabihf/release/liblyapunov_c.a
+        no_panic_is_linked "$out/example.elf"
+        now=$(arm-none-eabi-size "$out/example.elf" "$out/empty.elf" | awk 'NR == 2 { now = $1 } NR == 3 { print now - $1 }')
+        told=$(grep "^| $row |" README.md | awk -F'|' '{ print $3 + 0 }')
+        echo "the first example, $row: $now bytes of flash"
+        if [ $((100 * now)) -lt $((96 * told)) ] || [ $((100 * now)) -gt $((104 * told)) ]; then
+            echo "README.md has $told bytes of it"
+            failed=1
+        fi
+    done <<'END'
+as above|-DTEXT
+without the text of a refusal|
+with a constant limit|-DCONSTANT_LIMIT -DTEXT
+with a constant limit, without the text|-DCONSTANT_LIMIT
+END
+    return $failed
+}
+
 on_a_microcontroller() {
     local target processor name flags board at running=() failed=0
     if ! have arm-none-eabi-gcc; then
@@ -226,6 +248,7 @@ on_a_microcontroller() {
             *) processor=cortex-m4 name=Cortex-M4F flags="-mcpu=cortex-m4 -mfpu=fpv4-sp-d16 -mfloat-abi=hard" ;;
         esac
         flash $target "$flags" $name
+        [ $name != Cortex-M4F ] || example_in_flash "$flags"
         have qemu-system-arm || { skipped "running on $processor: qemu-system-arm is not here"; continue; }
         bare "$out/$processor.elf" "$flags" -O1 --specs=rdimon.specs -nostartfiles -T tests/bare/mps2.ld \
             tests/bare/start.c tests/c/equal.c "$(arm-none-eabi-gcc $flags -mthumb -print-file-name=crti.o)" \
