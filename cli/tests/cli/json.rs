@@ -70,6 +70,31 @@ fn the_json_agrees_with_the_rows() {
     assert_eq!(json.as_object().unwrap().len(), 14);
 }
 
+/// The rows of such a law have an `alpha` of 0 throughout, which says nothing about what it does.
+#[test]
+fn a_law_without_an_alpha_has_no_share_of_active_ticks() {
+    let place = Place::new();
+    for (table, words) in [
+        ("tank", "controller cuts the force and adds no damping, shortfall up to"),
+        ("iss", "controller damps as a port around the environment and not by an alpha, shortfall"),
+    ] {
+        place.put("scene.toml", format!("{STIFF}\n[stabilizer.{table}]\n"));
+        let said = place.run(["run", "scene.toml", "--csv", "rows.csv"]);
+        said.ended(0, &[words]);
+        assert!(!said.out.contains("active on"), "{}", said.out);
+        assert_eq!(most(&columns(&place.text("rows.csv"))[9], f64::abs), 0.0);
+        let json = |arguments: &[&str]| -> Value {
+            serde_json::from_str(&place.run(arguments).out).unwrap()
+        };
+        let run = json(&["run", "scene.toml", "--json"]);
+        assert!(run["stabilizer"]["active_percent"].is_null(), "{run}");
+        assert!(run["stabilizer"]["energy_asked_for_mj"].is_null(), "{run}");
+        assert!(run["stabilizer"]["shortfall_mj"].is_number(), "{run}");
+        let compared = json(&["compare", "scene.toml", "--stabilizers", table, "--json"]);
+        assert!(compared["rows"][0]["active_percent"].is_null(), "{compared}");
+    }
+}
+
 #[test]
 fn settling_is_reported_as_in_words() {
     let place = Place::new();

@@ -187,6 +187,24 @@ impl Summary {
         self.signs.finish(&self.scene)
     }
 
+    /// Share of ticks with damping, %; none under a law that adds no damping, and under one whose damping is no `α`.
+    pub fn active_percent(&self) -> Option<f64> {
+        self.reports_damping().then(|| 100.0 * self.active as f64 / self.rows.max(1) as f64)
+    }
+
+    /// The energy in mJ that the controller set out to dissipate; none where there is no share of active ticks.
+    pub fn millijoules_asked(&self) -> Option<f64> {
+        self.reports_damping().then_some(MILLI * self.asked)
+    }
+
+    /// Whether the damping of the stabilizer, if it adds any, is told as `α`; a value of the caller's may tell one.
+    fn reports_damping(&self) -> bool {
+        match self.stabilizing {
+            Stabilizing::Table(Some(table)) => table.kind().reports_damping(),
+            Stabilizing::Table(None) | Stabilizing::Foreign(_) => true,
+        }
+    }
+
     /// Whether any force acted on the plant.
     pub(crate) fn acts(&self) -> bool {
         self.signs.acts()

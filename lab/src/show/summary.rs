@@ -62,11 +62,12 @@ struct Observed<'a> {
     observed_energy_least_mj: f64,
     observed_energy_most_mj: f64,
     observed_energy_end_mj: f64,
-    active_percent: f64,
+    /// None under a law without a damping that is told as `alpha`, and so the energy asked for.
+    active_percent: Option<f64>,
     /// The limit of the damping cap for the delay, m / T, where the cap lies above it.
     #[serde(skip_serializing_if = "Option::is_none")]
     damping_cap_limit: Option<f64>,
-    energy_asked_for_mj: f64,
+    energy_asked_for_mj: Option<f64>,
     shortfall_mj: f64,
 }
 
@@ -111,8 +112,8 @@ impl Summary {
             observed_energy_most_mj: MILLI * self.observed_energy_most,
             observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
             damping_cap_limit: self.scene.exceeded_cap(),
-            active_percent: 100.0 * self.active as f64 / self.rows.max(1) as f64,
-            energy_asked_for_mj: MILLI * self.asked,
+            active_percent: self.active_percent(),
+            energy_asked_for_mj: self.millijoules_asked(),
             shortfall_mj: MILLI * self.shortfall,
         }
     }
@@ -185,7 +186,6 @@ impl Summary {
     }
 
     fn write_stabilizer(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let share = 100.0 * self.active as f64 / self.rows.max(1) as f64;
         let last = self.last.map_or(0.0, |row| row.observed_energy);
         write!(
             f,
@@ -194,12 +194,16 @@ impl Summary {
             found(MILLI * self.observed_energy_most),
             found(MILLI * last)
         )?;
-        write!(
-            f,
-            "\n  controller   active on {share:.1} % of ticks, {} mJ asked for, shortfall up to {} mJ",
-            found(MILLI * self.asked),
-            found(MILLI * self.shortfall)
-        )
+        let did = match (self.active_percent(), self.millijoules_asked(), &self.stabilizing) {
+            (Some(share), Some(asked), _) => {
+                format!("active on {share:.1} % of ticks, {} mJ asked for", found(asked))
+            }
+            (.., Stabilizing::Table(Some(table))) if table.kind().adds_damping() => {
+                "damps as a port around the environment and not by an alpha".to_owned()
+            }
+            _ => "cuts the force and adds no damping".to_owned(),
+        };
+        write!(f, "\n  controller   {did}, shortfall up to {} mJ", found(MILLI * self.shortfall))
     }
 }
 

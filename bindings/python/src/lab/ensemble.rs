@@ -114,8 +114,8 @@ fn columns(first: u64, runs: &[Summary]) -> Columns {
         numbers("peak_force_acting_n", &|run| Some(run.acting_peak)),
         numbers("energy_into_port_mj", &|run| Some(1e3 * run.absorbed)),
         numbers("observed_energy_least_mj", &|run| Some(1e3 * run.observed_energy_least)),
-        numbers("energy_asked_for_mj", &|run| Some(1e3 * run.asked)),
+        numbers("energy_asked_for_mj", &Summary::millijoules_asked),
         numbers("shortfall_mj", &|run| Some(1e3 * run.shortfall)),
-        numbers("active_percent", &|run| Some(100.0 * run.active as f64 / run.rows as f64)),
+        numbers("active_percent", &Summary::active_percent),
     ])
 }
