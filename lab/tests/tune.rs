@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use approx::assert_relative_eq;
 use lyapunov::{DampingLimit, Popc, PortEnergy};
 use lyapunov_lab::family::StabilizerName;
-use lyapunov_lab::tune::{Change, Objective, TuneError, Tuned, Tuning, document};
+use lyapunov_lab::tune::{Change, Objective, TuneError, Tuned, Tuning, document, table};
 use lyapunov_lab::{AnyStabilizer, Ensemble, Rollout, Scene, Summary, Verdict};
 
 const SCENE: &str = "duration = 2.0\nservo_rate = 500.0\n\
@@ -111,6 +111,26 @@ fn every_member_of_the_family_can_be_tuned() {
             assert_eq!(tuned.change(), Change::Undecided, "{member}");
             assert_eq!(tuned.judged[0], tuned.judged[1], "{member}");
         }
+    }
+}
+
+/// 0.8 of `m / T`, 0.3 kg at 500 Hz, are 120 N·s/m; two ticks late the limit is `0.5 tan(π / 12)`.
+#[test]
+fn a_cap_above_the_limit_of_the_delay_is_told_and_each_cap_as_a_limit() {
+    let tuning = Tuning { trials: 1, runs: 2, ..tuning() };
+    let told = |more: &str| {
+        let scene = scene(&format!("[stabilizer.popc]\ndamping_cap = 0.8\n{more}"));
+        let tuned = tuned(&tuning, &scene, "popc").unwrap();
+        let text = table("test", &tuning, &[tuned]);
+        text.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let (late, prompt) = (told("[effects.delay]\nticks = 2\n"), told(""));
+    assert!(late.contains("note: popc default"), "{late}");
+    let sentence = "the damping cap is above 0.133974596 m / T, the limit for a delay of 2 ticks";
+    assert!(late.contains(sentence), "{late}");
+    assert!(!prompt.contains("the limit for a delay"), "{prompt}");
+    for text in [late, prompt] {
+        assert!(text.contains("damping_cap 0.8 ") && text.contains("damping limit 120 "), "{text}");
     }
 }
 

@@ -1,10 +1,14 @@
 //! The tables of a tuning in the terminal.
 
+use lyapunov::DampingLimit;
+
 use super::objective::{Objective, Term};
 use super::study::{Tuned, Tuning};
 use super::trial::Trial;
+use crate::files::Scene;
 use crate::measure::Summary;
-use crate::show::table::{Heading, Table};
+use crate::show::described;
+use crate::show::table::{Cell, Heading, Table};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{Criterion, Rollout, in_space};
 use crate::studies::explain::Hint;
@@ -54,7 +58,20 @@ pub(super) fn remarks(objective: Objective, tuned: &[Tuned]) -> Vec<String> {
     let idle = (counts && bounded && !settles).then(|| {
         "no judged run settles, so each counts its whole duration: give a longer one, or another --objective".to_owned()
     });
-    too_short.into_iter().chain(idle).chain(level(tuned)).collect()
+    too_short.into_iter().chain(idle).chain(level(tuned)).chain(exceeded_caps(tuned)).collect()
+}
+
+/// The settings whose damping cap is too high for the delay of the scene, if there are any.
+fn exceeded_caps(tuned: &[Tuned]) -> Option<String> {
+    let told = tuned.iter().flat_map(|one| {
+        ["default", "tuned"].into_iter().zip(&one.settings).filter_map(move |(word, setting)| {
+            let sentence = described::exceeded_cap(&setting.on(&one.scene).ok()?)?;
+            Some((format!("{} {word}", one.name), sentence))
+        })
+    });
+    let (names, sentences): (Vec<_>, Vec<_>) = told.unzip();
+    // The limit is that of the delay, which all settings share.
+    Some(format!("{}: {}", names.join(", "), sentences.first()?))
 }
 
 /// The signs of a scene in which no force acts or which starts in balance, a line each: there is nothing to tune for then.
@@ -110,9 +127,23 @@ pub(super) fn numbers(tuned: &[Tuned]) -> Table {
                 value(after.value).into(),
                 before.unit.into(),
             ]);
+            if before.name() == "damping_cap" {
+                // A program of your own may take the limit itself, and not its share of m / T.
+                let [before, after] = [before, after].map(|cap| limit(&one.scene, cap.value));
+                table.push(["".into(), "damping limit".into(), before, after, "N.s/m".into()]);
+            }
         }
     }
     table
+}
+
+/// The damping limit that a cap in m / T is on `scene`, N·s/m.
+fn limit(scene: &Scene, cap: f64) -> Cell {
+    // A limit is finite, and without a cap the largest number would stand here.
+    if cap.is_infinite() {
+        return "inf".into();
+    }
+    scene.damping(cap).limit::<f64>().ok().map(DampingLimit::most).into()
 }
 
 /// The costs of both settings on the runs that tuning never saw.
