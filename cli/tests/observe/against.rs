@@ -254,6 +254,12 @@ fn what_does_not_fit_is_told_and_not_guessed() {
     let reasons =
         ["log goes on until 10.5 s, and the scene ends at 10.0 s", "duration of 10.5 or more"];
     refuses(&["run", &scene, "--against", &long], &reasons);
+    // A log with a clock of its own fits once it is counted from its first row.
+    let late = log(rows.iter().map(|row| Row { t: row.t + 3.0, ..*row }));
+    let late = place.file("late.csv", &late);
+    let reasons = ["goes on until 13.0 s", "duration of 13.0 or more", "3.0 s", "--start"];
+    refuses(&["run", &scene, "--against", &late], &reasons);
+    assert_eq!(against(&scene, &late, &["--start", "log"])["rows"], rows.len());
     refuses(&["run", &scene, "--start", "log"], &["--against"]);
     refuses(&["run", &scene, "--against", "missing.csv"], &["missing.csv: there is no such file"]);
     refuses(&["run", &scene, "--against", &path, "--csv", &path], &["this is the log itself"]);

@@ -182,9 +182,11 @@ impl<R: Read> Against<R> {
         if let Some(last) = last.filter(|last| *last > ends + SAME * scene.period()) {
             let told =
                 format!("the log goes on until {last:?} s, and the scene ends at {ends:?} s");
-            return Err(LogError::about(&self.name, told).with_help(format!(
-                "give the scene a duration of {last:?} or more, or cut the log"
-            )));
+            let remedy = format!(
+                "give the scene a duration of {last:?} or more, or cut the log{}",
+                self.own_clock(scene)
+            );
+            return Err(LogError::about(&self.name, told).with_help(remedy));
         }
         let (Some(from), Some(to), 2..) = (self.from, self.last, self.rows) else {
             return Err(LogError::too_few(&self.name, &self.bad));
@@ -213,6 +215,18 @@ impl<R: Read> Against<R> {
             look_at,
             overlay: self.overlay,
         })
+    }
+
+    /// The rest of the remedy for a log that goes on too long, where its clock did not start with the scene's.
+    fn own_clock(&self, scene: &Scene) -> String {
+        let begins = self.time(&self.first);
+        if begins <= SAME * scene.period() {
+            return String::new();
+        }
+        format!(
+            "; it begins at {begins:?} s: where the scene starts with that row, \
+             give --start log, which counts from there"
+        )
     }
 
     /// The time of a row on the scene's clock, s.
