@@ -10,6 +10,7 @@ use std::time::Duration;
 
 use indicatif::ProgressBar;
 use lyapunov_lab::observe::opened;
+use lyapunov_lab::{legible, shell_word};
 
 use super::{BAR, End, named, shown};
 
@@ -21,6 +22,9 @@ const BREATH: Duration = Duration::from_millis(100);
 
 /// Size in bytes below which a file gets no progress bar.
 const SMALL: u64 = 1 << 24;
+
+/// Bytes of a refused file in which the first line of a scene is looked for.
+const HEAD: u64 = 1 << 12;
 
 /// Log as a stream of bytes that shows progress and ends at an interrupt.
 #[derive(Debug)]
@@ -85,7 +89,7 @@ impl Source {
         let result = read(source, &name);
         // An interrupted stream also ends with an error of its own, which would hide the interrupt.
         End::if_interrupted()?;
-        result.map_err(End::input)
+        result.map_err(|error| scene_at(path).unwrap_or_else(|| End::input(error)))
     }
 
     /// Shows a progress bar, unless the command is `quiet` or the file small.
@@ -97,6 +101,34 @@ impl Source {
         };
         self.bar = shown(bar, template, quiet);
     }
+}
+
+/// The end of a command that was given a scene where a log belongs: what stands at `path` begins as no log does.
+fn scene_at(path: &Path) -> Option<End> {
+    fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
+    let mut head = Vec::new();
+    File::open(path).ok()?.take(HEAD).read_to_end(&mut head).ok()?;
+    let head = String::from_utf8_lossy(&head);
+    let mut lines = head.trim_start_matches('\u{feff}').lines().zip(1..);
+    let is_note = |line: &str| line.trim().is_empty() || line.trim_start().starts_with('#');
+    let (line, number) = lines.find(|(line, _)| !is_note(line))?;
+    let line = line.split('#').next().unwrap_or_default().trim();
+    let is_name = |it: char| it.is_ascii_alphanumeric() || "_-.".contains(it);
+    let is_key = |key: &str| !key.is_empty() && key.chars().all(is_name);
+    let is_table = line.strip_prefix('[').and_then(|it| it.strip_suffix(']')).is_some_and(is_key);
+    let is_pair = line.split_once('=').is_some_and(|(key, value)| {
+        let value = value.trim();
+        // More than one `=` outside of a table may be fields such as `t=0,x=1`.
+        is_key(key.trim()) && (value.starts_with('{') || !value.contains('='))
+    });
+    (is_table || is_pair).then(|| {
+        let (name, word) = (named(path), shell_word(&path.to_string_lossy()));
+        End::input(format!(
+            "{name}:{number}: this looks like a scene: `{}`\n  = give a log of comma-separated values; \
+             `lyapunov run {word}` simulates a scene",
+            legible(line)
+        ))
+    })
 }
 
 /// A stream that a thread opens and reads.

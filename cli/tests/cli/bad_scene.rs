@@ -165,3 +165,50 @@ fn a_scene_may_come_from_a_pipe() {
     fs::write(&pipe, SCENE).unwrap();
     Said::by_child(child).ended(0, &["pipe run", "peak force"]);
 }
+
+#[test]
+fn a_log_in_place_of_a_scene_is_called_one() {
+    let place = Place::new();
+    let row = "0.001,1200,-0.25\n";
+    for (first, at) in [
+        ("t,x,f\n", "log.csv:1:1"),
+        ("Time (ms),Encoder (counts),Motor force (N)\n", "log.csv:1:1"),
+        ("# rig 3\n\nt [s];x [mm];f [N]\n", "log.csv:3:1"),
+        ("\"t\"\t\"x\"\t\"f\"\n", "log.csv:1:1"),
+        ("", "log.csv:1:1"),
+    ] {
+        // A short one, and one that is larger than any scene may be.
+        for rows in [3, 100_000] {
+            place.put("log.csv", first.to_owned() + &row.repeat(rows));
+            for command in ["run", "bound"] {
+                let words = ["this looks like a log", "`lyapunov observe` reads a log", at];
+                place.refuses([command, "log.csv"], &words);
+            }
+        }
+    }
+    for scene in ["duration, 5.0\n", "[device, 1, 2\n", "x = 1,2,3\n"] {
+        place.put("scene.toml", scene);
+        let said = place.refuses(["run", "scene.toml"], &["scene.toml:1"]);
+        assert!(!said.err.contains("looks like a log"), "{}", said.err);
+    }
+}
+
+#[test]
+fn a_scene_in_place_of_a_log_is_called_one() {
+    let place = Place::with_scene();
+    let words =
+        ["scene.toml:4: this looks like a scene: `duration = 10.0`", "`lyapunov run scene.toml`"];
+    for arguments in [
+        &["observe", "scene.toml"][..],
+        &["identify", "scene.toml"],
+        &["run", "scene.toml", "--against", "scene.toml"],
+    ] {
+        place.refuses(arguments, &words);
+    }
+    place.put("table.toml", "[device]\nmass = 1.0\n");
+    place
+        .refuses(["observe", "table.toml"], &["table.toml:1: this looks like a scene: `[device]`"]);
+    place.put("pairs.csv", "t=0,x=0,f=1\nt=1,x=1,f=1\n");
+    let said = place.refuses(["observe", "pairs.csv"], &["pairs.csv:1", "--columns"]);
+    assert!(!said.err.contains("looks like a scene"), "{}", said.err);
+}

@@ -7,11 +7,15 @@ use std::path::Path;
 use super::book::Book;
 use super::diagnostic::Diagnostic;
 use super::document::names_any;
+use super::mistaken;
 use crate::files::shipped::SCENES;
 use crate::files::unopened::unopened;
 
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 20;
+
+/// The bytes of a larger file in which its first line is looked for.
+const HEAD: usize = 1 << 12;
 
 /// A kind of file other than a scene.
 #[derive(Clone, Copy, Debug)]
@@ -59,16 +63,20 @@ fn read(book: &Book, path: &Path, name: &str) -> Result<Vec<u8>, Diagnostic> {
     if metadata.is_dir() {
         return Err(Diagnostic::new(name, "this is a folder").with_help(expected(book)));
     }
-    if metadata.len() > LIMIT {
-        return Err(too_large(book, name, &format!("{} bytes", metadata.len())));
-    }
     let mut bytes = Vec::new();
     // A device reports no size, and a file may grow: reading one byte beyond the limit detects both.
     File::open(path)
         .and_then(|file| file.take(LIMIT + 1).read_to_end(&mut bytes))
         .map_err(refuse)?;
     if bytes.len() as u64 > LIMIT {
-        return Err(too_large(book, name, "more than 1 MiB"));
+        let size = match metadata.len() {
+            ..=LIMIT => "more than 1 MiB".to_owned(),
+            size => format!("{size} bytes"),
+        };
+        // Most logs are larger than any scene, and what they are helps more than their size.
+        let head = String::from_utf8_lossy(&bytes[..HEAD]);
+        let log = mistaken::as_log(book, &head, name);
+        return Err(log.unwrap_or_else(|| too_large(book, name, &size)));
     }
     Ok(bytes)
 }

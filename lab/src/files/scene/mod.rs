@@ -46,6 +46,7 @@ mod integrator;
 mod keys;
 mod lanes;
 mod load;
+mod mistaken;
 mod motion;
 mod node;
 mod number;
