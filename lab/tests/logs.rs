@@ -60,6 +60,17 @@ fn many_bad_rows_are_told() {
     assert!(told(11) && !told(10) && !told(0));
 }
 
+/// Twelve touches, of which the table has room for ten.
+#[test]
+fn the_contacts_that_are_shown_are_counted() {
+    let row = |n: u32| format!("{}e-2,{n}e-3,{}\n", n, if n.is_multiple_of(10) { 5 } else { 0 });
+    let log = format!("t,x,f\n{}", (0..120).map(row).collect::<String>());
+    let text = read(log.as_bytes()).unwrap().to_string();
+    let words: Vec<&str> = text.split_whitespace().collect();
+    assert!(words.join(" ").contains("contacts 12, 0 generated energy"), "{text}");
+    assert!(words.join(" ").contains("so far); the 10 worst of 12 below from to"), "{text}");
+}
+
 #[test]
 fn a_force_on_the_last_row_alone_is_no_contact() {
     let report = read(b"t,x,f\n0,0,0\n0.001,0.0001,1\n").unwrap();
@@ -69,7 +80,7 @@ fn a_force_on_the_last_row_alone_is_no_contact() {
     let text = report.to_string();
     let words: Vec<&str> = text.split_whitespace().collect();
     assert!(
-        words.join(" ").contains("the largest force so far); the worst below from to"),
+        words.join(" ").contains("the largest force so far); below, the worst first from to"),
         "{text}"
     );
 }

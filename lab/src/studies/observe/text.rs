@@ -182,9 +182,13 @@ impl Report {
         };
         let threshold = found(contacts.threshold);
         let (count, generating) = (contacts.count, contacts.generating);
-        let worst = if contacts.worst.is_empty() { "" } else { "; the worst below" };
+        let below = match contacts.worst.len() as u64 {
+            0 => String::new(),
+            told if told < count => format!("; the {told} worst of {count} below"),
+            _ => "; below, the worst first".to_owned(),
+        };
         let text =
-            format!("{count}, {generating} generated energy (|f| > {threshold} N{follows}){worst}");
+            format!("{count}, {generating} generated energy (|f| > {threshold} N{follows}){below}");
         line(f, "contacts", &text)
     }
 

@@ -9,8 +9,8 @@ use crate::text::{folded, prefix};
 impl Replay {
     /// The lines about who was asked, labelled.
     pub(in crate::studies::observe) fn lines(&self) -> String {
-        let scene = format!("the numbers of the stabilizers are those of {}", self.scene);
-        let mut lines = folded("  would have  ", &scene);
+        let asked = format!("what each stabilizer would have done, set as {} says", self.scene);
+        let mut lines = folded("  replay      ", &asked);
         let mut tell = |label: &str, text: &str| {
             lines += &format!("\n{}", folded(&format!("  {label:<12}"), text));
         };
