@@ -101,7 +101,8 @@ fn cell(column: Column, group: &Equals<'_>) -> Cell {
         let high = values.iter().copied().reduce(f64::max);
         let told = low.zip(high).map(|(low, high)| match low == high {
             true => format!("{of_what}{low:.decimals$}"),
-            false => format!("{of_what}{low:.decimals$} to {high:.decimals$}"),
+            // As a range of times is written, so that a long name in the first column has room.
+            false => format!("{of_what}{low:.decimals$}-{high:.decimals$}"),
         });
         Cell::from(told)
     };
@@ -160,12 +161,15 @@ mod tests {
         let mut comparison = Comparison::of("test", &scene, &Entrants::<f64>::standard()).unwrap();
         for (outcome, median) in comparison.outcomes.iter_mut().zip([1.0, 2.25, 4.5, 8.0, 16.0]) {
             let time = outcome.score.step_time.unwrap();
-            outcome.score.step_time = Some(StepTime { median, ..time });
+            outcome.score.step_time = Some(StepTime { median, min: median, max: median, ..time });
         }
         let shown = comparison.to_string();
         let rows = shown.lines().filter(|line| line.starts_with("popc = "));
-        let told = "medians 2.25 to 8.00  16 to 24";
+        let told = "medians 2.25-8.00  16-24";
         assert!(rows.into_iter().any(|row| row.contains(told)), "{shown}");
+        // The longest name that ships stands in each of the three tables in full.
+        let full = shown.lines().filter(|line| line.starts_with("lolc-mass-spring-damper "));
+        assert_eq!(full.count(), 3, "{shown}");
         let words: Vec<&str> = shown.split_whitespace().collect();
         let line = words.join(" ");
         for words in ["equal as shown (median ns of a step): ", "popc (2.25) = "] {
