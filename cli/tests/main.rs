@@ -8,6 +8,7 @@ mod effects;
 mod for_each;
 mod models;
 mod observe;
+mod pages;
 // The bodies of a fuzz target, which the tests below run over changed files.
 #[path = "../../fuzz/readers/src/readers.rs"]
 mod readers;

@@ -20,7 +20,8 @@ pub(super) fn toml(report: &Report, alone: Alone, origin: f64) -> String {
 }
 
 fn write(out: &mut String, report: &Report, alone: Alone, origin: f64) -> std::fmt::Result {
-    let place = |it: f64| origin + tidy(it - origin);
+    // The sum has digits of its rounding behind the fifteenth.
+    let place = |it: f64| rounded(origin + tidy(it - origin), 15);
     let name = legible(&report.log);
     writeln!(out, "# Fitted to {name}: mass, damping, spring and wall with their 95 % intervals.")?;
     let rate = tidy(tidy(report.mean_period).recip());
@@ -95,5 +96,11 @@ fn told(it: &Estimate, unit: &str, digits: impl Fn(f64) -> f64) -> String {
 /// A number with ten digits, since no log tells more, and 0 where a number of a scene is as good as that.
 fn tidy(value: f64) -> f64 {
     const NOTHING: f64 = 1e-12;
-    if value.abs() < NOTHING { 0.0 } else { format!("{value:.9e}").parse().unwrap_or(value) }
+    if value.abs() < NOTHING { 0.0 } else { rounded(value, 10) }
+}
+
+/// A number with so many digits.
+fn rounded(value: f64, digits: usize) -> f64 {
+    let behind = digits - 1;
+    format!("{value:.behind$e}").parse().unwrap_or(value)
 }
