@@ -212,10 +212,10 @@ fn a_run_in_a_space_comes_to_rest_where_the_summary_says() {
         let told = |environment: &str| Summary::new(&stiff(environment)).equilibrium;
         let on = told(rectangle).unwrap_or_else(|| panic!("{stiffness}"));
         let faces = [[-0.02, -0.005], [0.02, -0.005], [-0.01, 0.03], [-0.01, -0.03]];
-        let near = |[x, y]: [f64; 2]| (on[0] - x).hypot(on[1] - y) < 1e-8;
+        let near = |[x, y]: [f64; 2]| (on[0] - x).hypot(on[1] - y) < 1e-7;
         assert!(faces.into_iter().any(near), "{stiffness}: {on:?}");
         let on = told(disc).unwrap_or_else(|| panic!("{stiffness}"));
-        assert!((on[0].hypot(on[1]) - 0.02).abs() < 1e-8, "{stiffness}: {on:?}");
+        assert!((on[0].hypot(on[1]) - 0.02).abs() < 1e-7, "{stiffness}: {on:?}");
         assert!(told(plane).is_some(), "{stiffness}");
     }
     // In the very middle of a ball no direction leads out.

@@ -71,9 +71,13 @@ impl<V: Space<Scalar = f64>> Law<V> {
     /// The work over a tick, `∫ f v dt`, J, on the cubic that meets position and velocity at both ends.
     pub(crate) fn work(&self, from: Motion<V>, to: Motion<V>) -> f64 {
         let span = to.time - from.time;
-        let side = |share| self.side(between(from, to, share));
+        // The sides of a box stand at right angles; the direction of a ball turns little.
+        let is_same = |shares: [f64; 2]| match shares.map(|it| self.side(between(from, to, it))) {
+            [Some(one), Some(other)] => one.inner(other) > 0.0,
+            [one, other] => one.is_none() && other.is_none(),
+        };
         let mut work = 0.0;
-        for [start, width] in (0..PARTS).flat_map(|part| pieces(part, &side)) {
+        for [start, width] in (0..PARTS).flat_map(|part| pieces(part, &is_same)) {
             for (place, weight) in POINTS {
                 let at = between(from, to, start + width * place);
                 work += self.force(at).scale(width * weight * span).inner(at.velocity);
@@ -99,29 +103,21 @@ impl<V: Space<Scalar = f64>> Law<V> {
     }
 }
 
-/// Starts and widths of the pieces of a part of a tick: one for each side that it goes through.
-fn pieces<V: Signal<Scalar = f64>>(
-    part: u32,
-    side: &dyn Fn(f64) -> Option<V>,
-) -> impl Iterator<Item = [f64; 2]> {
+/// Starts and widths of the pieces of a part of a tick, one for each side that it goes through; `is_same` tells of two places whether
+/// they are on one side.
+fn pieces(part: u32, is_same: &dyn Fn([f64; 2]) -> bool) -> impl Iterator<Item = [f64; 2]> {
     let width = f64::from(PARTS).recip();
     let start = width * f64::from(part);
     let end = start + width;
     let (mut next, mut further) = (Some(start), SIDES);
     std::iter::from_fn(move || {
         let start = next.take()?;
-        let first = side(start);
-        // The sides of a box stand at right angles; the direction of a ball turns little.
-        let is_same = |share: f64| match (first, side(share)) {
-            (Some(one), Some(other)) => one.inner(other) > 0.0,
-            (one, other) => one.is_none() && other.is_none(),
-        };
         let [mut low, mut high] = [start, end];
-        if further > 0 && !is_same(end) {
+        if further > 0 && !is_same([start, end]) {
             further -= 1;
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (low + high);
-                if is_same(middle) { low = middle } else { high = middle }
+                if is_same([start, middle]) { low = middle } else { high = middle }
             }
             next = Some(high);
         }

@@ -28,6 +28,8 @@ impl fmt::Display for Number {
         let (value, size) = (self.value, self.value.abs());
         if size.is_infinite() {
             f.write_str(if value > 0.0 { "over 1.797e308" } else { "under -1.797e308" })
+        } else if size.is_nan() {
+            f.write_str("NaN")
         } else if size == 0.0 {
             f.write_str("0")
         } else if (1e-3..1e6).contains(&size) {
