@@ -41,9 +41,8 @@ fn csv<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
 pub extern "C" fn trace() -> u32 {
     answer(|text| {
         let scene = stabilized(text)?;
-        let ticks = scene.ticks();
-        if ticks > MOST {
-            return Err(format!("{ticks} ticks; the page shows {MOST}: shorten the duration"));
+        if scene.ticks() > MOST {
+            return Err("more than a million ticks: shorten the duration".to_owned());
         }
         in_space!(scene, V => traced::<V>(&scene))
     })

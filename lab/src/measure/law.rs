@@ -77,12 +77,13 @@ impl<V: Space<Scalar = f64>> Law<V> {
             [one, other] => one.is_none() && other.is_none(),
         };
         let mut work = 0.0;
-        for [start, width] in (0..PARTS).flat_map(|part| pieces(part, &is_same)) {
+        let mut add = |start: f64, width: f64| {
             for (place, weight) in POINTS {
                 let at = between(from, to, start + width * place);
                 work += self.force(at).scale(width * weight * span).inner(at.velocity);
             }
-        }
+        };
+        (0..PARTS).for_each(|part| pieces(part, &is_same, &mut add));
         work
     }
 
@@ -103,26 +104,25 @@ impl<V: Space<Scalar = f64>> Law<V> {
     }
 }
 
-/// Starts and widths of the pieces of a part of a tick, one for each side that it goes through; `is_same` tells of two places whether
-/// they are on one side.
-fn pieces(part: u32, is_same: &dyn Fn([f64; 2]) -> bool) -> impl Iterator<Item = [f64; 2]> {
+/// Hands on the pieces of a part of a tick by start and width, one for each side that it goes through; `is_same` tells of two places
+/// whether they are on one side.
+fn pieces(part: u32, is_same: &dyn Fn([f64; 2]) -> bool, piece: &mut dyn FnMut(f64, f64)) {
     let width = f64::from(PARTS).recip();
-    let start = width * f64::from(part);
+    let mut start = width * f64::from(part);
     let end = start + width;
-    let (mut next, mut further) = (Some(start), SIDES);
-    std::iter::from_fn(move || {
-        let start = next.take()?;
-        let [mut low, mut high] = [start, end];
-        if further > 0 && !is_same([start, end]) {
-            further -= 1;
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                if is_same([start, middle]) { low = middle } else { high = middle }
-            }
-            next = Some(high);
+    for _ in 1..SIDES {
+        if is_same([start, end]) {
+            break;
         }
-        Some([start, high - start])
-    })
+        let [mut low, mut high] = [start, end];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if is_same([start, middle]) { low = middle } else { high = middle }
+        }
+        piece(start, high - start);
+        start = high;
+    }
+    piece(start, end - start);
 }
 
 /// The motion on Hermite's cubic at a share of the way.

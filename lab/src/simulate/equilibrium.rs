@@ -10,7 +10,7 @@ use crate::files::scene::{Draft, Face, Motion, StaticSpring};
 /// Halvings of an interval: more than f64 has digits.
 const HALVINGS: usize = 200;
 
-/// Share of the hand's force by which two forces that balance may differ.
+/// Share of a force that may lie beside the direction of its side, and of a depth by which a direction is tried.
 const BALANCED: f64 = 1e-9;
 
 /// Places where the operator's spring, the environment and the forces that push at the end balance: on a line and before a
@@ -57,25 +57,20 @@ where
     let (solid, push) = (SVector::solid(scene)?, scene.environment.surface_stiffness()?);
     let most = scene.effects.saturation.map_or(f64::INFINITY, |limit| limit.force.get());
     let clipped = |force: SVector<f64, N>| force.map(|axis| axis.clamp(-most, most));
-    let force = |place: SVector<f64, N>| {
-        let NearestPoint { depth, normal } = solid.nearest(place);
-        clipped(normal * (push * depth.max(0.0)))
-    };
-    let balances = |place: SVector<f64, N>| {
-        let hand = (free - place) * pull;
-        // Coordinates are rounded too.
-        (hand + force(place)).norm() <= BALANCED * (hand.norm() + pull * free.norm())
-    };
-    let pressed = sides(scene, &*solid, free)?.into_iter().filter(|side| side.depth > 0.0);
-    let pressed = pressed.filter_map(|side| {
-        let held = side.normal * (side.depth * push / (pull + push) * pull);
-        let place = free + clipped(held) / pull;
-        // A stiff side makes much of how the place is rounded, where forces could not be compared.
-        let is_held = clipped(held) == held && solid.nearest(place).normal.dot(&side.normal) > 0.5;
-        (is_held || balances(place)).then_some(place)
-    });
-    let alone = Some(free).filter(|free| force(*free).norm() == 0.0);
-    Some(alone.into_iter().chain(pressed).collect())
+    let mut places = Vec::new();
+    if solid.nearest(free).depth.max(0.0) * push == 0.0 {
+        places.push(free);
+    }
+    for NearestPoint { depth, normal } in sides(scene, &*solid, free)? {
+        let held = clipped(normal * (depth * push / (pull + push) * pull));
+        let place = free + held / pull;
+        // A force that is cut on one axis is that of no side.
+        let is_along = (held - normal * held.dot(&normal)).norm() <= BALANCED * held.norm();
+        if depth > 0.0 && is_along && solid.nearest(place).normal.dot(&normal) > 0.5 {
+            places.push(place);
+        }
+    }
+    Some(places)
 }
 
 /// The sides of a `solid` seen from `free`; none in the middle of a ball, where no direction leads out.

@@ -14,7 +14,7 @@ use crate::files::unopened::unopened;
 /// The largest file in bytes.
 const LIMIT: u64 = 1 << 20;
 
-/// The bytes of a larger file in which its first line is looked for.
+/// The bytes of a file in which its first line is looked for.
 const HEAD: usize = 1 << 12;
 
 /// A kind of file other than a scene.
@@ -68,15 +68,17 @@ fn read(book: &Book, path: &Path, name: &str) -> Result<Vec<u8>, Diagnostic> {
     File::open(path)
         .and_then(|file| file.take(LIMIT + 1).read_to_end(&mut bytes))
         .map_err(refuse)?;
+    // Most logs are larger than any scene, and what they are helps more than their size.
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]);
+    if let Some(log) = mistaken::as_log(book, &head, name) {
+        return Err(log);
+    }
     if bytes.len() as u64 > LIMIT {
         let size = match metadata.len() {
             ..=LIMIT => "more than 1 MiB".to_owned(),
             size => format!("{size} bytes"),
         };
-        // Most logs are larger than any scene, and what they are helps more than their size.
-        let head = String::from_utf8_lossy(&bytes[..HEAD]);
-        let log = mistaken::as_log(book, &head, name);
-        return Err(log.unwrap_or_else(|| too_large(book, name, &size)));
+        return Err(too_large(book, name, &size));
     }
     Ok(bytes)
 }

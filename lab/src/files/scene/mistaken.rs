@@ -6,9 +6,8 @@ use super::diagnostic::Diagnostic;
 /// The fewest columns of a log: time, position and force.
 const COLUMNS: usize = 3;
 
-/// The diagnostic of a `text` that is no TOML where its first line is that of a log.
-///
-/// No scene begins so: a key comes before its `=`, and a table in brackets.
+/// The diagnostic of a `text` whose first line is that of a log. No scene begins so: a key comes before its `=`, and a table in
+/// brackets.
 pub(super) fn as_log(book: &Book, text: &str, name: &str) -> Option<Diagnostic> {
     let mut start = 0;
     let line = text.split_inclusive('\n').find(|line| {

@@ -3,7 +3,7 @@
 use super::check::Conflict;
 use super::environments::NAMES;
 use super::keys::example;
-use super::{Draft, Friction, Integrator, Stabilizer, Velocity};
+use super::{Draft, Friction, Integrator, NonNegative, Stabilizer, Velocity};
 use crate::text::{counted, found};
 
 /// The largest angle, rad, through which link and hand may swing within a period: a larger one is rounded by a thousandth of a radian or
@@ -112,17 +112,17 @@ impl Draft {
     fn check_hand(&self) -> Result<(), Conflict> {
         let device = if self.link.is_some() { 0.0 } else { self.device.mass.get() };
         let mass = self.operator.mass.get() + device;
-        let grips = self.operator.grip.iter().flat_map(|grip| &grip.stiffness);
-        let hand = [("operator.stiffness", self.operator.stiffness)];
-        let all = hand.into_iter().chain(grips.map(|it| ("operator.grip.stiffness", *it)));
-        all.map(|(key, stiffness)| Swing {
-            key,
-            stiffness: stiffness.get(),
-            yielding: mass.recip(),
-            masses: format!("on {} kg", found(mass)),
-            otherwise: "",
-        })
-        .try_for_each(|swing| swing.check(self.servo_rate.get()))
+        let check = |key, stiffness: NonNegative| {
+            let (stiffness, yielding) = (stiffness.get(), mass.recip());
+            let masses = format!("on {} kg", found(mass));
+            let swing = Swing { key, stiffness, yielding, masses, otherwise: "" };
+            swing.check(self.servo_rate.get())
+        };
+        check("operator.stiffness", self.operator.stiffness)?;
+        for stiffness in self.operator.grip.iter().flat_map(|grip| &grip.stiffness) {
+            check("operator.grip.stiffness", *stiffness)?;
+        }
+        Ok(())
     }
 
     fn check_grip(&self) -> Result<(), Conflict> {

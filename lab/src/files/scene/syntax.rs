@@ -5,7 +5,6 @@ use std::ops::Range;
 use super::book::Book;
 use super::diagnostic::Diagnostic;
 use super::explain::{shorten_path, with_example};
-use super::mistaken;
 use crate::text::excerpt::boundary;
 use crate::text::shorten;
 
@@ -94,9 +93,6 @@ const BARE_VALUES: &[&str] = &["string values must be quoted", "invalid boolean"
 
 /// The message of a parser's error.
 pub(super) fn explain(book: &Book, error: &toml::de::Error, text: &str, name: &str) -> Diagnostic {
-    if let Some(diagnostic) = mistaken::as_log(book, text, name) {
-        return diagnostic;
-    }
     let span = error.span().unwrap_or_default();
     let given = text.get(span.clone()).unwrap_or_default().trim();
     let (mut path, mut value) = assignment_at(text, span.start).unwrap_or_default();
