@@ -147,10 +147,18 @@ fn a_name_that_controls_the_terminal_is_shown_without() {
 #[test]
 fn a_range_error_of_accuracy_names_file_and_key() {
     let place = Place::new();
-    let scene = "duration = 0.01\nservo_rate = 1000.0\ndevice.mass = 0.2\n\
-         operator = { mass = 0.1, damping = 1e300, stiffness = 200.0 }\n\
-         environment.wall = { stiffness = 2000.0, damping = 1.0 }\n";
-    place.put("scene.toml", scene);
-    let words = ["scene.toml: ", "operator.damping", "stands out; give a value nearer to 1"];
-    place.refuses(["accuracy", "scene.toml", "--out", "out"], &words);
+    let scene = |damping: &str, stiffness: &str| {
+        format!(
+            "duration = 0.01\nservo_rate = 1000.0\ndevice.mass = 0.2\n\
+             operator = {{ mass = 0.1, damping = {damping}, stiffness = {stiffness} }}\n\
+             environment.wall = {{ stiffness = 2000.0, damping = 1.0 }}\n"
+        )
+    };
+    for (damping, stiffness, key) in
+        [("1e300", "200.0", "operator.damping"), ("2.0", "1e150", "operator.stiffness")]
+    {
+        place.put("scene.toml", scene(damping, stiffness));
+        let words = ["scene.toml: ", key, "stands out; give a value nearer to 1"];
+        place.refuses(["accuracy", "scene.toml", "--out", "out"], &words);
+    }
 }

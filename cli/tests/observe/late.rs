@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use lyapunov_lab::observe::{Report, Settings, observe};
+use lyapunov_lab::observe::{Contact, Report, Settings, observe};
 
 fn shipped() -> Vec<[String; 3]> {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/logs/mujoco-encoder.csv");
@@ -33,7 +33,11 @@ fn forces_act_where_they_are_told_to() {
         assert_eq!(told.energy, expected.energy, "{late}");
         assert_eq!(told.observed_energy, expected.observed_energy, "{late}");
         assert_eq!(told.printed, expected.printed, "{late}");
-        assert_eq!(told.contacts, expected.contacts, "{late}");
+        let contacts = |report: &Report| {
+            let told = |it: &Contact| (it.start, it.end, it.generated, it.peak_force);
+            report.contacts.worst.iter().map(told).collect::<Vec<_>>()
+        };
+        assert_eq!(contacts(&told), contacts(&expected), "{late}");
         assert_eq!((told.rows, told.late), (expected.rows, late as u32));
     }
 }
@@ -44,11 +48,7 @@ fn a_force_on_time_is_as_without_the_setting() {
     let (told, late) = (observed(&rows, 0), observed(&rows, 2));
     assert!(!told.to_json().contains("\"late\"") && late.to_json().contains("\"late\": 2"));
     assert!(late.to_string().contains("late") && !told.to_string().contains("late "));
-    // The script that made this log gave the force two ticks late.
-    assert!(
-        late.energy.absorbed < 0.05 * told.energy.absorbed,
-        "{:?} {:?}",
-        late.energy,
-        told.energy
-    );
+    // The script that made this log gave the force two ticks late, and most of what the rows seem to absorb is that.
+    let [absorbed, seemed] = [&late, &told].map(|it| -it.energy.generated);
+    assert!(0.0 < absorbed && absorbed < 0.05 * seemed, "{absorbed} {seemed}");
 }

@@ -90,9 +90,11 @@ impl<V: Space<Scalar = f64>> Law<V> {
     /// The direction of the side that pushes, by which the force is smooth; none where no force acts: outside of a wall, and where its
     /// damper would pull.
     fn side(&self, at: Motion<V>) -> Option<V> {
-        let normal = |solid: &Box<dyn Solid<V>>| solid.nearest(at.position).normal;
-        let acts = self.force(at) != V::zero();
-        acts.then(|| self.solid.as_ref().map_or_else(|| V::zero().map(|_| 1.0), normal))
+        let normal = match &self.solid {
+            Some(solid) => solid.nearest(at.position).normal,
+            None => V::zero().map(|_| 1.0),
+        };
+        (self.force(at) != V::zero()).then_some(normal)
     }
 }
 

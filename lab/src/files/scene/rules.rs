@@ -3,47 +3,15 @@
 use super::check::Conflict;
 use super::environments::NAMES;
 use super::keys::example;
-use super::{Draft, Friction, Integrator, NonNegative, Stabilizer, Velocity};
+use super::{Draft, Friction, Integrator, Stabilizer, Velocity};
 use crate::text::{counted, found};
 
-/// The largest angle, rad, through which link and hand may swing within a period: a larger one is rounded by a thousandth of a radian or
+/// The largest angle, rad, through which a link may swing within a period: a larger one is rounded by a thousandth of a radian or
 /// more, each tick a push that no motion has.
 const MOST_TURN: f64 = 1.0 / (1024.0 * f64::EPSILON);
 
 /// Share by which a told limit stays below the limit, so that the shown digits are within it.
 const ROUNDING: f64 = 1e-3;
-
-/// Swing of masses on a spring.
-struct Swing {
-    key: &'static str,
-    /// N/m.
-    stiffness: f64,
-    /// The sum of the reciprocal masses, 1/kg.
-    yielding: f64,
-    masses: String,
-    /// What helps besides a softer spring.
-    otherwise: &'static str,
-}
-
-impl Swing {
-    /// Checks that rounding knows how far it turns within a period of `rate`.
-    fn check(self, rate: f64) -> Result<(), Conflict> {
-        let Self { key, stiffness, yielding, masses, otherwise } = self;
-        let turn = (stiffness * yielding).sqrt() / rate;
-        if turn <= MOST_TURN {
-            return Ok(());
-        }
-        let most = (1.0 - ROUNDING) * (MOST_TURN * rate).powi(2) / yielding;
-        Err(Conflict::new(
-            key,
-            format!(
-                "`{key}` = {stiffness:?} {masses} swings through {} rad within one period, more than rounding tells apart",
-                found(turn)
-            ),
-            format!("give at most {} N/m{otherwise}", found(most)),
-        ))
-    }
-}
 
 impl Draft {
     /// Checks each table whose values must fit each other or another table.
@@ -52,7 +20,6 @@ impl Draft {
         self.effects.friction.map_or(Ok(()), check_friction)?;
         self.check_integrator()?;
         self.check_link()?;
-        self.check_hand()?;
         self.check_grip()?;
         self.check_space()
     }
@@ -89,16 +56,8 @@ impl Draft {
         let Some(link) = self.link else {
             return Ok(());
         };
-        let (hand, device) = (self.operator.mass.get(), self.device.mass.get());
-        if hand > 0.0 {
-            let swing = Swing {
-                key: "link.stiffness",
-                stiffness: link.stiffness.get(),
-                yielding: hand.recip() + device.recip(),
-                masses: format!("between {hand:?} and {device:?} kg"),
-                otherwise: ", or leave out `link`: the two then move as one",
-            };
-            return swing.check(self.servo_rate.get());
+        if self.operator.mass.get() > 0.0 {
+            return self.check_turn(link.stiffness.get());
         }
         Err(Conflict::new(
             "operator.mass",
@@ -108,21 +67,27 @@ impl Draft {
         .asked_by("link"))
     }
 
-    /// Checks that rounding knows how far the hand, in each grip, turns within a period.
-    fn check_hand(&self) -> Result<(), Conflict> {
-        let device = if self.link.is_some() { 0.0 } else { self.device.mass.get() };
-        let mass = self.operator.mass.get() + device;
-        let check = |key, stiffness: NonNegative| {
-            let (stiffness, yielding) = (stiffness.get(), mass.recip());
-            let masses = format!("on {} kg", found(mass));
-            let swing = Swing { key, stiffness, yielding, masses, otherwise: "" };
-            swing.check(self.servo_rate.get())
-        };
-        check("operator.stiffness", self.operator.stiffness)?;
-        for stiffness in self.operator.grip.iter().flat_map(|grip| &grip.stiffness) {
-            check("operator.grip.stiffness", *stiffness)?;
+    /// Checks that rounding knows how far a link of this `stiffness` turns within a period.
+    fn check_turn(&self, stiffness: f64) -> Result<(), Conflict> {
+        let (hand, device) = (self.operator.mass.get(), self.device.mass.get());
+        let (rate, yielding) = (self.servo_rate.get(), hand.recip() + device.recip());
+        let turn = (stiffness * yielding).sqrt() / rate;
+        if turn <= MOST_TURN {
+            return Ok(());
         }
-        Ok(())
+        let most = (1.0 - ROUNDING) * (MOST_TURN * rate).powi(2) / yielding;
+        Err(Conflict::new(
+            "link.stiffness",
+            format!(
+                "`link.stiffness` = {stiffness:?} between {hand:?} and {device:?} kg swings through {} rad within one period, \
+                 more than rounding tells apart",
+                found(turn)
+            ),
+            format!(
+                "give at most {} N/m, or leave out `link`: the two then move as one",
+                found(most)
+            ),
+        ))
     }
 
     fn check_grip(&self) -> Result<(), Conflict> {

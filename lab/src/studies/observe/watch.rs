@@ -60,8 +60,12 @@ impl Watch {
     pub(super) fn add(&mut self, entry: &Entry<'_>) {
         let Some(acting) = self.late.acting(entry) else { return };
         match entry {
-            Entry::Good(reading) => self.good(&Sample { f: acting, ..*reading }),
-            Entry::Bad(bad) => self.bad(&Bad { force: Some(acting), ..*bad }),
+            Entry::Good(reading) => {
+                // What no row tells is taken as held.
+                let f = acting.or(self.last.map(|last| last.f)).unwrap_or(reading.f);
+                self.good(&Sample { f, ..*reading });
+            }
+            Entry::Bad(bad) => self.bad(&Bad { force: acting, ..*bad }),
         }
     }
 

@@ -64,7 +64,6 @@ const ON_A_LINE: &[Case] = &[
     ("[operator]\nmass = 0.1\n[link]\nstiffness = 0", "link.stiffness", "stiffness", &["greater than 0", "not 0.0", "N/m"]),
     ("[operator]\nmass = 0.1\n[link]\nstiffness = 100\ndamping = -1", "link.damping", "damping", &["0 or greater", "-1.0"]),
     ("[operator]\nmass = 0.1\n[link]\ndamping = 1", "link.stiffness", "[link]", &["missing key `link.stiffness`", "in N/m"]),
-    ("[operator.grip]\ntimes = [1]\ndamping = [1]\nstiffness = [1e40]", "operator.grip.stiffness", "stiffness", &["= 1e40 on ", "within one period", "give at most"]),
     ("[operator]\nmass = 0.1\n[link]\nstiffness = 1e300", "link.stiffness", "stiffness = 1e300", &["= 1e300 between 0.1 and", "within one period", "give at most 1.288e30 N/m", "leave out `link`"]),
     ("[operator]\nmass = 1e-60\n[link]\nstiffness = 100", "link.stiffness", "stiffness = 100", &["between 1e-60 and", "within one period", "leave out `link`"]),
     ("[operator.grip]\ntimes = [1, 2]\nstiffness = [5]\ndamping = [1, 1]", "operator.grip.stiffness", "stiffness", &["has 1 numbers", "`times` has 2", "one stiffness and one damping"]),
@@ -219,9 +218,9 @@ fn single_precision_must_hold_every_number_of_an_effect() {
             &["range of f32"],
         ),
         (
-            "[operator.grip]\ntimes = [1]\ndamping = [1e39]\nstiffness = [1]",
-            "operator.grip.damping",
-            "damping",
+            "[operator.grip]\ntimes = [1]\ndamping = [1]\nstiffness = [1e39]",
+            "operator.grip.stiffness",
+            "stiffness",
             &["range of f32"],
         ),
     ] {
