@@ -160,8 +160,9 @@ mod tests {
     fn a_wrong_objective_is_refused_with_a_remedy() {
         let refused = |text: &str| text.parse::<Objective>().unwrap_err().to_string();
         assert!(refused("setling").contains("did you mean `settling`?"));
-        assert!(refused("settling=0").contains("from 1e-50 to 1e50"));
-        assert!(refused("settling=inf").contains("greater than 0"));
+        for weight in ["0", "-1", "inf", "1e155", "1e-170"] {
+            assert!(refused(&format!("settling={weight}")).contains("from 1e-50 to 1e50"));
+        }
         assert!(refused("settling,settling").contains("twice"));
         assert!(refused("").contains("the terms are"));
     }
