@@ -387,5 +387,6 @@ def observe(
     contact: _Number | None = None,
     stabilizers: str | None = None,
     scene: Scene | None = None,
+    late: int = 0,
     progress: _Progress = None,
 ) -> Told: ...
