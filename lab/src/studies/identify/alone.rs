@@ -4,7 +4,7 @@ use super::report::Report;
 use crate::files::log::LogError;
 use crate::text::given;
 
-/// What was measured of the device without the hand; the rest of the fitted sum is the hand's.
+/// Mass and damping of the device without the hand, as far as they were measured; the rest of the fitted sum is the hand's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Alone {
     /// Mass, kg.
@@ -32,7 +32,7 @@ impl Alone {
         Ok(())
     }
 
-    /// What the scene does not tell apart; none where everything is told.
+    /// A sentence about the sums that the scene does not tell apart; none where everything is told.
     pub(super) fn note(self) -> Option<String> {
         let (parts, options) = match (self.mass, self.damping) {
             (None, None) => ("masses and dampings", "--device-mass and --device-damping"),

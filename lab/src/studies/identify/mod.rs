@@ -60,7 +60,7 @@ pub struct Settings {
     pub columns: Columns,
     /// Factors to SI units; those of the same column multiply.
     pub scales: Vec<Scale>,
-    /// What is known of the device without the hand.
+    /// Mass and damping of the device without the hand, as far as they are known.
     pub alone: Alone,
 }
 
