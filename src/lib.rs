@@ -200,6 +200,11 @@ struct Readme;
 #[doc = include_str!("../docs/own-stabilizer.md")]
 struct OwnStabilizer;
 
+/// The page about what may be changed and stored between ticks, tested with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/retuning.md")]
+struct Retuning;
+
 /// The page about telemetry and choice at run time, tested with the others.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/telemetry.md")]

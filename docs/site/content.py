@@ -1,5 +1,5 @@
 """Fixes for what MkDocs draws differently from a git host: equations, which become MathML (`$…$` in a line, `$$…$$` by themselves), bars
-in tables, words about listings, and what is wider than a screen."""
+in tables, words about listings and their hidden lines, and what is wider than a screen."""
 
 import re
 
@@ -10,6 +10,9 @@ PARTS = re.compile(r"(^```.*?^```|`[^`\n]+`)|\$\$(.+?)\$\$|\$([^$\n]+)\$([,.;:)]
 # rustdoc takes words about a listing, such as the error that it has to give.
 LISTING = re.compile(r"^```[a-z_]+,.*$", re.MULTILINE)
 
+# What rustdoc compiles and does not show.
+HIDDEN = re.compile(r"^# .*\n", re.MULTILINE)
+
 
 def on_page_markdown(markdown, **_):
     markdown = LISTING.sub("```rust", markdown)
@@ -17,7 +20,7 @@ def on_page_markdown(markdown, **_):
     def drawn(found):
         listing, alone, inline, after = found.groups()
         if listing:
-            return listing
+            return HIDDEN.sub("", listing) if listing.startswith("```rust") else listing
         if alone:
             return convert(alone.strip(), display="block")
         # A line that begins with an element which Markdown does not know would become a block. No sign stands alone in the next line.
