@@ -10,6 +10,9 @@ PARTS = re.compile(r"(^```.*?^```|`[^`\n]+`)|\$\$(.+?)\$\$|\$([^$\n]+)\$([,.;:)]
 # rustdoc takes words about a listing, such as the error that it has to give.
 LISTING = re.compile(r"^```[a-z_]+,.*$", re.MULTILINE)
 
+# Names in a table that would be wider than its page.
+NAME = re.compile(r"<code>[^<\s]{30,}</code>")
+
 # What rustdoc compiles and does not show.
 HIDDEN = re.compile(r"^# .*\n", re.MULTILINE)
 
@@ -29,9 +32,15 @@ def on_page_markdown(markdown, **_):
     return PARTS.sub(drawn, markdown)
 
 
+def broken(name):
+    """A long name that may break after a part of it."""
+    return re.sub(r"(::|[/_](?!code>))", r"\1<wbr>", name.group())
+
+
 def on_page_content(html, **_):
-    """A bar in code in a table has a backslash before it. What may be wider than a narrow screen is scrolled by keys, too."""
-    html = re.sub("<td[ >].*?</td>", lambda cell: cell.group().replace(r"\|", "|"), html, flags=re.DOTALL)
+    """A bar in code in a table has a backslash before it, and a long name may break. What may be wider than a narrow screen is scrolled by
+    keys, too."""
+    html = re.sub("<td[ >].*?</td>", lambda cell: NAME.sub(broken, cell.group().replace(r"\|", "|")), html, flags=re.DOTALL)
     return re.sub("<(pre><span></span><code|table|math)(?=>| [^>]*display=.block)", r'<\1 tabindex="0"', html)
 
 
