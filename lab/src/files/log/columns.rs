@@ -116,7 +116,7 @@ impl Role {
     /// The names that its letter stands for.
     pub fn words(self) -> &'static [&'static str] {
         match self {
-            Self::T => &["time"],
+            Self::T => &["time", "timestamp"],
             Self::X => &["position", "pos"],
             Self::F => &["force", "f_act"],
             Self::V => &["velocity"],

@@ -52,8 +52,12 @@ impl Motion {
         let key = (period / self.unit).round() as u64;
         let (decay, spring, time) = (self.decay, self.spring, key as f64 * self.unit);
         let step = self.steps.entry(key).or_insert_with(|| increment(decay, spring, time));
-        let input = SMatrix::<f64, 1, RESPONSES>::new(0.0, 0.0, 1.0, -force);
-        let moved = step.fixed_columns::<6>(0) * *state + step.column(6) * input;
+        let input = [0.0, 0.0, 1.0, -force];
+        // By number, since products of matrices are calls unless all is compiled in one part.
+        let moved = State::from_fn(|row, column| {
+            let own: f64 = (0..6).map(|it| step[(row, it)] * state[(it, column)]).sum();
+            own + step[(row, 6)] * input[column]
+        });
         *state += moved;
     }
 }

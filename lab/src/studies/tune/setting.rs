@@ -45,7 +45,7 @@ impl Number {
         let value = self.value.clamp(lower, upper);
         match spacing {
             Spacing::Linear => (value - lower) / (upper - lower),
-            Spacing::Logarithmic => (value / lower).ln() / (upper / lower).ln(),
+            Spacing::Logarithmic => libm::log(value / lower) / libm::log(upper / lower),
         }
     }
 
@@ -54,7 +54,7 @@ impl Number {
         let Search { lower, upper, spacing } = self.range;
         let value = match spacing {
             Spacing::Linear => lower + place * (upper - lower),
-            Spacing::Logarithmic => lower * (upper / lower).powf(place),
+            Spacing::Logarithmic => lower * libm::pow(upper / lower, place),
         };
         let value = if self.is_whole { value.round() } else { to_three_digits(value) };
         Self { value: value.clamp(lower, upper), ..*self }

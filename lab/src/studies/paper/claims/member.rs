@@ -209,7 +209,7 @@ impl Member {
             (scene.operator.damping.get() + scene.device.damping.get()) / (2.0 * scene.port_mass());
         let frequency = (scene.operator.stiffness.get() / scene.port_mass() - decay * decay).sqrt();
         let (x, v) = (scene.initial.position.get(), scene.initial.velocity.get());
-        let time = (-frequency * x).atan2(v + decay * x) / frequency;
+        let time = libm::atan2(-frequency * x, v + decay * x) / frequency;
         let ticks = time * scene.environment_rate();
         ticks.ceil() - ticks
     }
@@ -220,5 +220,5 @@ impl Member {
 fn wall_of(wall: usize, uniform: &impl Fn(u64) -> f64) -> [f64; 2] {
     let draw = draws::WALLS + 2 * wall as u64;
     let part = (wall as f64 + uniform(draw)) / super::WALLS as f64;
-    [1e3 * 50_f64.powf(part), 100.0 * uniform(draw + 1)]
+    [1e3 * libm::pow(50.0, part), 100.0 * uniform(draw + 1)]
 }
