@@ -73,7 +73,7 @@ fn tables_files_and_documents_agree() {
     assert_eq!((output.status.code(), text(&output.stderr).as_str()), (Some(0), ""));
     let table = text(&output.stdout);
     assert_eq!(table.matches("POPC and LOLC: held work, cap 0.5").count(), 1);
-    let late = "POPC and LOLC: held work, cap 0.207106781 (the defaults, with 1 tick of delay)";
+    let late = "POPC and LOLC: held work, cap 0.2071 (the defaults, with 1 tick of delay)";
     assert_eq!(table.matches(late).count(), 1);
     let narrow = |line: &str| line.chars().count() <= 100 || line.contains(".toml");
     assert!(table.lines().all(narrow), "{table}");

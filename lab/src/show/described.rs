@@ -1,11 +1,13 @@
 //! Parts of a scene in words.
 
+use lyapunov::DampingLimit;
+
 use crate::files::scene::{
     Basis, Candidate, Effects, Filter, Integrator, Ledger, Link, Lolc, Motion, Operator, Parameter,
     Policy, Popc, Scene, Stabilizer, Work,
 };
 use crate::simulate::Stabilizing;
-use crate::text::{counted, given, listed, shorten};
+use crate::text::{counted, found, given, listed, shorten};
 
 /// The sentence above a scene on a page, without its full stop.
 pub(crate) const EVERY_NUMBER: &str = "Every number, with its default in place; where environment_rate and damping_cap are not \
@@ -25,7 +27,11 @@ pub(crate) fn stabilizer(scene: &Scene, stabilizing: &Stabilizing) -> String {
         let cap = scene.damping_cap();
         let cap = match cap.is_infinite() {
             true => "no damping cap".to_owned(),
-            false => format!("damping cap {} m / T", given(cap)),
+            false => {
+                let share = scene.written_cap().map_or_else(|| found(cap), given);
+                let limit = scene.damping(cap).limit::<f64>().map_or(f64::NAN, DampingLimit::most);
+                format!("damping cap {share} m / T, {} N.s/m", found(limit))
+            }
         };
         format!("  stabilizer   {booking}, {cap}")
     };

@@ -19,7 +19,7 @@ const MADE: f64 = 0.5;
 const OWN: f64 = 0.1;
 
 /// Share of the most energy that the true port took, below which a debt does no harm that is felt.
-const LARGE: f64 = 0.1;
+const LARGE: f64 = 0.01;
 
 /// Watches what a stabilizer leaves owed, and the work of the applied force on the true and on the measured motion.
 ///

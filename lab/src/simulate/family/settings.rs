@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::files::scene::{Draft, Ledger, Stabilizer, Work};
-use crate::text::{counted, given};
+use crate::text::{counted, found};
 
 /// The settings of POPC and LOLC on a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,7 +53,7 @@ impl fmt::Display for Settings {
             None => write!(f, "{work} work, cap {cap} ({source})"),
             Some(ticks) => {
                 let ticks = counted(ticks as usize, "tick");
-                write!(f, "{work} work, cap {} ({source}, with {ticks} of delay)", given(cap))
+                write!(f, "{work} work, cap {} ({source}, with {ticks} of delay)", found(cap))
             }
         }
     }

@@ -53,12 +53,17 @@ impl Motion {
         let (decay, spring, time) = (self.decay, self.spring, key as f64 * self.unit);
         let step = self.steps.entry(key).or_insert_with(|| increment(decay, spring, time));
         let input = [0.0, 0.0, 1.0, -force];
-        // By number, since products of matrices are calls unless all is compiled in one part.
-        let moved = State::from_fn(|row, column| {
-            let own: f64 = (0..6).map(|it| step[(row, it)] * state[(it, column)]).sum();
-            own + step[(row, 6)] * input[column]
-        });
-        *state += moved;
+        // By number: a product of matrices is a call for each column unless all is compiled in one part.
+        let before = *state;
+        for (column, input) in input.into_iter().enumerate() {
+            for row in 0..6 {
+                let mut moved = 0.0;
+                for it in 0..6 {
+                    moved += step[(row, it)] * before[(it, column)];
+                }
+                state[(row, column)] += moved + step[(row, 6)] * input;
+            }
+        }
     }
 }
 

@@ -4,8 +4,8 @@ use maud::{Markup, html};
 use serde_json::json;
 
 use super::axis::Axis;
-use super::in_ticks;
 use super::picture::{NamedFigure, label, middle};
+use super::remarks::remarks;
 use super::survey::Survey;
 use crate::measure::Verdict;
 use crate::show::described::EVERY_NUMBER;
@@ -30,9 +30,6 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
         p {
             "Bounded are the cells whose run settles or is swinging; an area, in " (survey.unit()) ", is the share of its \
              cells of the rectangle of both axes, where a logarithmic axis counts in decades."
-            @if grid.scene.effects.saturation.is_some() {
-                " A saturation may bound a run that grows without it: compare what settles."
-            }
         }
         (rendered(survey).to_html("short"))
         p {
@@ -115,9 +112,8 @@ fn notes(survey: &Survey) -> Vec<String> {
     let calm = (calm > 0).then(|| in_balance(&format!("in {calm} of {all} cells each run"), ""));
     let sign = survey.look_at().map(|it| format!("look at: {}", it.text));
     let grid = survey.grid();
-    let in_ticks = in_ticks::note(&grid.scene, &[&grid.x, &grid.y]);
-    let notes = [by_speed, calm, told(short, "are too short to judge"), in_ticks, sign];
-    notes.into_iter().flatten().collect()
+    let first = [by_speed, calm, told(short, "are too short to judge")].into_iter().flatten();
+    first.chain(remarks(&grid.scene, &[&grid.x, &grid.y])).chain(sign).collect()
 }
 
 /// Table of the shares that settle and that stay bounded, the judged cells, the areas of both, and what is rendered; `-` for an

@@ -143,7 +143,7 @@ impl Report {
             (Some(_), None) => ": it sees no debt",
             _ => "",
         };
-        line(f, "printed", &format!("sampled work: {}{blind}", told(&self.printed, units)))?;
+        line(f, "sampled", &format!("the paper's own sum: {}{blind}", told(&self.printed, units)))?;
         line(f, "damping", &self.damping(units))?;
         let note = match (self.starts_in_contact, self.ends_in_contact) {
             (true, false) => "the log begins in contact: what was stored before may come out",

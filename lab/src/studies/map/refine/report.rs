@@ -10,7 +10,7 @@ use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::table::{Heading, Table};
 use crate::studies::map::bounds::Bounds;
-use crate::studies::map::in_ticks;
+use crate::studies::map::remarks::remarks;
 
 impl Refined {
     /// The page of the edges, as HTML; `command` made it.
@@ -19,7 +19,7 @@ impl Refined {
         let body = html! {
             p {
                 "The edge of bounded runs on " (grid.x.count) " by " (grid.y.count) " cells, by " (html::maker(command)) "."
-                @if let Some(note) = in_ticks::note(&grid.scene, &[&grid.x, &grid.y]) { " " (note) "." }
+                @for note in remarks(&grid.scene, &[&grid.x, &grid.y]) { " " (note) "." }
             }
             (self.table().to_html("short"))
             p { (MEANING) }
@@ -82,7 +82,7 @@ impl fmt::Display for Refined {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let grid = self.grid();
         writeln!(f, "{}\n{}", grid.x, grid.y)?;
-        if let Some(note) = in_ticks::note(&grid.scene, &[&grid.x, &grid.y]) {
+        for note in remarks(&grid.scene, &[&grid.x, &grid.y]) {
             writeln!(f, "{note}")?;
         }
         write!(f, "\n{}{CAVEAT}\n", self.table())

@@ -7,7 +7,7 @@ use crate::show::beside::beside;
 use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use crate::show::verdict::by_speed;
-use crate::studies::map::in_ticks;
+use crate::studies::map::remarks::remarks;
 
 impl Sweep {
     /// The page of the sweep, as HTML; `command` made it.
@@ -16,12 +16,12 @@ impl Sweep {
             p {
                 (self.x.count) " values of " code { (self.x.key) } " on " (self.name) ", by " (html::maker(command)) "."
                 @if let Some(by) = by_speed(&self.scene) { " The scene is judged " (by) "." }
-                @if let Some(note) = in_ticks::note(&self.scene, &[&self.x]) { " " (note) "." }
+                @for note in remarks(&self.scene, &[&self.x]) { " " (note) "." }
             }
             h2 { "Which runs settle, and which stay bounded" }
             (html::figure(Some("verdicts"), &self.verdicts(), &html! { "The verdict on the run at each value." }))
             (self.counts().to_html("short"))
-            p { "Bounded at: the stretches of neighbouring values that all settle or swing." }
+            p { "Settles at, bounded at: the stretches of neighbouring values that all settle, and that all settle or swing." }
             h2 { "Curves" }
             (html::figure(Some("sweep"), &self.curves(), &html! {
                 "Runs that grow are left out; equal curves are drawn once."

@@ -6,7 +6,7 @@ use super::Sweep;
 use crate::measure::Verdict;
 use crate::show::table::{Heading, Table};
 use crate::studies::compare::Column;
-use crate::studies::map::in_ticks;
+use crate::studies::map::remarks::remarks;
 use crate::text::given;
 
 /// The most rows that the terminal shows.
@@ -26,7 +26,7 @@ const COLUMNS: [Column; 6] = [
 ];
 
 impl Sweep {
-    /// For each stabilizer how many values have each verdict, and on which stretches of values its runs stay bounded.
+    /// For each stabilizer how many values have each verdict, and on which stretches of values its runs settle and stay bounded.
     pub(super) fn counts(&self) -> Table {
         let headings = [
             Heading::word("stabilizer"),
@@ -34,23 +34,26 @@ impl Sweep {
             Heading::number("swinging"),
             Heading::number("grows"),
             Heading::number("too short"),
+            Heading::number("settles at"),
             Heading::number("bounded at"),
         ];
         let rows = self.stabilizers.iter().enumerate().map(|(index, member)| {
             let verdicts = || self.points.iter().map(|point| point.scores[index].verdict);
             let count = |it: Verdict| verdicts().filter(|verdict| *verdict == it).count();
             let counts = Verdict::ALL.map(|verdict| count(verdict).to_string().into());
-            std::iter::once(member.name().into()).chain(counts).chain([self.bounded(index).into()])
+            let stretches = [|it| it == Verdict::Settles, Verdict::is_bounded];
+            let at = stretches.map(|has| self.stretches(index, has).into());
+            std::iter::once(member.name().into()).chain(counts).chain(at)
         });
         Table::new(headings).with_rows(rows.map(Iterator::collect::<Vec<_>>))
     }
 
-    /// The stretches of neighbouring values whose runs under stabilizer `index` all stay bounded.
-    fn bounded(&self, index: usize) -> Option<String> {
-        let is_bounded = |at: &usize| self.points[*at].scores[index].verdict.is_bounded();
-        let bounded: Vec<usize> = (0..self.points.len()).filter(is_bounded).collect();
+    /// The stretches of neighbouring values at which all verdicts on stabilizer `index` are such.
+    fn stretches(&self, index: usize, are_such: fn(Verdict) -> bool) -> Option<String> {
+        let is_such = |at: &usize| are_such(self.points[*at].scores[index].verdict);
+        let such: Vec<usize> = (0..self.points.len()).filter(is_such).collect();
         let value = |at: usize| given(self.points[at].value);
-        let all = bounded.chunk_by(|at, next| at + 1 == *next).map(|stretch| match *stretch {
+        let all = such.chunk_by(|at, next| at + 1 == *next).map(|stretch| match *stretch {
             [first, .., last] => format!("{} to {}", value(first), value(last)),
             _ => value(stretch[0]).to_string(),
         });
@@ -77,7 +80,7 @@ impl Sweep {
 impl fmt::Display for Sweep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}\n{}", self.name, self.x)?;
-        if let Some(note) = in_ticks::note(&self.scene, &[&self.x]) {
+        for note in remarks(&self.scene, &[&self.x]) {
             writeln!(f, "{note}")?;
         }
         write!(f, "\n{}", self.counts())?;
