@@ -14,6 +14,7 @@ pub(crate) mod law;
 pub(crate) mod linear;
 pub(crate) mod models;
 pub(crate) mod physical;
+pub(crate) mod quantile;
 pub(crate) mod runs;
 #[cfg(test)]
 pub(crate) mod samples;

@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use lyapunov::{ParameterError, Plant};
 use pulp::NullaryFnOnce;
 
+use super::quantile::quantile;
 use crate::files::Scene;
 use crate::simulate::{Assembly, Instructions, Scenes, Space};
 
@@ -35,7 +36,7 @@ impl Rounds {
 
     /// Lower quartile, median and upper quartile of the rounds of `thing`.
     pub(crate) fn quartiles(&self, thing: usize) -> [f64; 3] {
-        quartiles(self.0[thing].clone())
+        quartiles(&self.0[thing])
     }
 
     /// The fastest round of `thing`, and the slowest.
@@ -52,14 +53,13 @@ impl Rounds {
         by: impl Fn(f64, f64) -> f64,
     ) -> [f64; 3] {
         let pairs = self.0[one].iter().zip(&self.0[other]);
-        quartiles(pairs.map(|(one, other)| by(*one, *other)).collect())
+        quartiles(&pairs.map(|(one, other)| by(*one, *other)).collect::<Vec<_>>())
     }
 }
 
 /// Lower quartile, median and upper quartile of at least one value.
-pub(crate) fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
-    values.sort_unstable_by(f64::total_cmp);
-    [1, 2, 3].map(|quarter| values[quarter * (values.len() - 1) / 4])
+fn quartiles(values: &[f64]) -> [f64; 3] {
+    [0.25, 0.5, 0.75].map(|share| quantile(values.iter().copied(), share).unwrap_or(f64::NAN))
 }
 
 /// The most fresh runs made at once: each has room for long delays.

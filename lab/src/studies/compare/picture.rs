@@ -5,7 +5,7 @@ use super::equal::{CURVES, Points, is_same};
 use super::table::Setting;
 use crate::files::Scene;
 use crate::measure::Verdict;
-use crate::measure::timing::quartiles;
+use crate::measure::quantile::median;
 use crate::simulate::Criterion;
 use crate::text::{file_name, shortened_names};
 use lyapunov_figures::{Figure, Guide, PALETTE, Panel, Series};
@@ -163,8 +163,8 @@ impl Drawing<'_> {
     fn small(&self, shared: &[Shared<'_>]) -> Vec<Panel> {
         let ranges: Vec<Option<Range>> =
             shared.iter().map(|one| self.range(&[one.first], shared)).collect();
-        let sizes: Vec<f64> = ranges.iter().flatten().map(|(low, high)| high - low).collect();
-        let middle = if sizes.is_empty() { 0.0 } else { quartiles(sizes)[1] };
+        let sizes = ranges.iter().flatten().map(|(low, high)| high - low);
+        let middle = median(sizes).unwrap_or(0.0);
         let is_usual = |range: &Range| {
             let size = range.1 - range.0;
             size <= APART * middle && size * APART >= middle
@@ -209,11 +209,9 @@ impl Drawing<'_> {
             let points = (self.curve)(outcome).iter().map(|point| point.1);
             span(points).map_or(0.0, |(low, high)| high - low)
         };
-        let sizes: Vec<f64> = calm.iter().map(|outcome| sized(outcome)).collect();
-        if sizes.is_empty() {
+        let Some(middle) = median(calm.iter().map(|outcome| sized(outcome))) else {
             return outcomes.to_vec();
-        }
-        let middle = quartiles(sizes)[1];
+        };
         let judged = |outcome: &&Outcome| {
             outcome.score.verdict != Verdict::TooShort || sized(outcome) <= APART * middle
         };

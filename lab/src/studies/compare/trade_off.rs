@@ -8,7 +8,7 @@ use super::comparison::{CompareError, Comparison};
 use super::entrant_run::{EntrantRun, Watch};
 use super::entrants::Entrants;
 use crate::files::scene::{Environment, NonNegative, Positive, Scene};
-use crate::measure::timing::quartiles;
+use crate::measure::quantile::median;
 use crate::show::csv::{self, Field};
 use crate::simulate::family::BasicName;
 use crate::simulate::{Criterion, Space};
@@ -114,8 +114,8 @@ impl TradeOff {
         };
         let common: Vec<&Vec<Option<f64>>> = errors.iter().filter(is_common).collect();
         let rows = names.iter().enumerate().map(|(index, name)| {
-            let own: Vec<f64> = common.iter().filter_map(|wall| wall[index]).collect();
-            let middle = (counts(index) && !own.is_empty()).then(|| quartiles(own)[1]);
+            let own = common.iter().filter_map(|wall| wall[index]);
+            let middle = counts(index).then(|| median(own)).flatten();
             (name.clone(), held[index], middle)
         });
         let alone = (0..names.len()).find(|index| is_nobody(*index)).map(|index| held[index]);

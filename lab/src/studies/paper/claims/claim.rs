@@ -4,9 +4,9 @@ use serde::Serialize;
 
 use super::influence::Influence;
 use super::interval::clopper_pearson;
-use super::measures::{median, quantile};
 use super::member::Member;
 use super::verdict::Verdict;
+use crate::measure::quantile::{median, quantile};
 
 /// Evidence of one member: the quantity that was looked at, if there is one, and whether the claim holds.
 pub(super) type Evidence = (Option<f64>, bool);

@@ -171,19 +171,5 @@ fn turns(trace: &Trace, settled: usize) -> usize {
     turns
 }
 
-/// Median of the numbers; of an even count the mean of the two in the middle.
-pub fn median(numbers: impl Iterator<Item = f64>) -> Option<f64> {
-    quantile(numbers, 0.5)
-}
-
-/// Quantile of the numbers, on the straight line between the two neighbours.
-pub(super) fn quantile(numbers: impl Iterator<Item = f64>, share: f64) -> Option<f64> {
-    let mut sorted: Vec<f64> = numbers.collect();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let place = share * sorted.len().checked_sub(1)? as f64;
-    let (low, high) = (place.floor() as usize, place.ceil() as usize);
-    Some(sorted[low] + place.fract() * (sorted[high] - sorted[low]))
-}
-
 #[cfg(test)]
 mod tests;

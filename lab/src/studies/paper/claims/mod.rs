@@ -18,12 +18,13 @@ mod runs;
 mod trace;
 mod verdict;
 
+pub use crate::measure::quantile::median;
 pub use balance::Balance;
 pub use claim::{Claim, Judged};
 pub use ensemble::{Control, Loop, Run, Steps, measured, traces};
 pub use influence::{Group, Influence};
 pub use interval::clopper_pearson;
-pub use measures::{Measures, median};
+pub use measures::Measures;
 pub use member::{Member, RATES, START, Unstated};
 pub use outcomes::{Outcomes, Share};
 pub use rows::claims;

@@ -1,8 +1,9 @@
 //! Outcomes of the runs: how many settle and how many grow, by the observer's rate.
 
-use super::measures::{Measures, median};
+use super::measures::Measures;
 use super::member::{Member, RATES};
 use super::runs::Runs;
+use crate::measure::quantile::median;
 
 /// Outcomes of one loop over the ensemble.
 #[derive(Clone, Debug, PartialEq)]

@@ -131,13 +131,3 @@ fn what_follows_a_decision_changes_nothing() {
     assert_eq!(Measures::of(&trace(30.0, swinging)), Measures::of(&trace(60.0, swinging)));
     assert_eq!(Measures::of(&Trace::new(PERIOD, START_OF_RUN)).settled, None);
 }
-
-#[test]
-fn quantiles_lie_between_their_neighbours() {
-    let numbers = || [3.0, 1.0, 2.0, 4.0].into_iter();
-    assert_eq!(median(numbers()), Some(2.5));
-    assert_eq!(median(numbers().take(3)), Some(2.0));
-    assert_eq!(quantile(numbers(), 0.0).zip(quantile(numbers(), 1.0)), Some((1.0, 4.0)));
-    assert_abs_diff_eq!(quantile(numbers(), 0.1).unwrap(), 1.3, epsilon = 1e-12);
-    assert_eq!(median(std::iter::empty()), None);
-}
