@@ -2,17 +2,23 @@
 
 import { value } from "./scene.js";
 
-/** The numbers of a scene that a loop needs under the stabilizer `name`. */
-function numbers(tree, name) {
+/** What is said of the device's mass where the loops count a mass of the hand, too. */
+const USUAL = ": a smaller limit than in the picture, safe without the hand";
+
+/** The numbers of a scene that a loop needs; `limits` has the cap that it writes, if any, and the mass in which that counts. */
+export function numbers(tree, limits) {
   const of = (key) => value(tree, key) ?? 0;
-  const [delay, own] = [of("effects.delay.ticks"), value(tree, `stabilizer.${name.split("-")[0]}.damping_cap`)];
-  // A cap that follows the delay is not written.
-  const isUsual = own === undefined || Math.abs(own / (0.5 * Math.tan(Math.PI / (4 * (delay + 1)))) - 1) < 1e-9;
-  const [cap, late] = isUsual ? [0.5, delay] : [own, 0];
-  const note = isUsual ? "half of m / T, less where the force is late" : "the scene's share of m / T";
+  const [, written, counted] = limits;
+  const own = of("device.mass");
+  // A written cap was found in a loop with its delay and all of its mass.
+  const [cap, late, mass, note, more] = written >= 0
+    ? [written, 0, Number(counted.toPrecision(15)), "the scene's share of m / T", " and the hand: the scene counts its cap in both"]
+    : [0.5, of("effects.delay.ticks"), own, "half of m / T, less where the force is late", USUAL];
+  // Behind a link, and without a mass of the hand, both are the device's.
+  const whose = `kg, of the device${counted > own ? more : ""}`;
   return {
-    cap, late, note,
-    period: 1 / tree.servo_rate, mass: of("device.mass"), damping: of("device.damping"),
+    cap, late, note, mass, whose,
+    period: 1 / tree.servo_rate, damping: of("device.damping"),
     stiffness: of("environment.wall.stiffness"), wall: of("environment.wall.damping"), surface: of("environment.wall.position"),
   };
 }
@@ -29,9 +35,8 @@ function rustCandidate(name, it) {
   }
 }
 
-/** Lines of Rust for the setting under the stabilizer `name`. */
-function rust(tree, name) {
-  const it = numbers(tree, name);
+/** Lines of Rust for the numbers of a setting under the stabilizer `name`. */
+function rust(it, name) {
   const [type, candidate, uses, own] = rustCandidate(name, it);
   const none = name === "none";
   const names = none ? [] : ["DampingLimit", "PortEnergy", "Stabilizer", ...uses.split(", ")];
@@ -39,7 +44,7 @@ function rust(tree, name) {
   const lines = [
     `use lyapunov::{${["ParameterError", "Reading", "Readings", ...names].sort((a, b) => a.localeCompare(b)).join(", ")}};`, "",
     `const PERIOD: f64 = ${real(it.period)}; // s`,
-    ...(none ? [] : [`const MASS: f64 = ${real(it.mass)}; // kg, the smallest mass that moves`, ...own]),
+    ...(none ? [] : [`const MASS: f64 = ${real(it.mass)}; // ${it.whose}`, ...own]),
     `const STIFFNESS: f64 = ${real(it.stiffness)}; // N/m`, `const WALL_DAMPING: f64 = ${real(it.wall)}; // N·s/m`, `const SURFACE: f64 = ${real(it.surface)}; // m`, "",
     "/// Closes the loop for some ticks; `read` tells the position, `motor` pushes with −effort and returns the effort it applied.", 
     "pub fn control(ticks: u32, mut read: impl FnMut() -> f64, mut motor: impl FnMut(f64) -> f64) -> Result<(), ParameterError> {",
@@ -55,8 +60,7 @@ function rust(tree, name) {
 }
 
 /** Lines of C for the same, with the header of bindings/c. */
-function c(tree, name) {
-  const it = numbers(tree, name);
+function c(it, name) {
   const [block, extra] = {
     "lolc-device-damping": ["lolc_f64", [`    parameters.device_damping = ${real(it.damping)}; /* N.s/m, the least that the device surely has */`]],
     "lolc-mass-spring-damper": ["lolc_in_contact_f64", ["    parameters.wall_damping = wall_damping;", "    parameters.surface = surface;"]],
@@ -65,7 +69,7 @@ function c(tree, name) {
   const lines = [
     ...(it.cap === Infinity ? ["#include <math.h>"] : []), "#include <lyapunov.h>", "",
     `static const double period = ${real(it.period)};       /* s */`,
-    ...(none ? [] : [`static const double mass = ${real(it.mass)};         /* kg, the smallest mass that moves */`]),
+    ...(none ? [] : [`static const double mass = ${real(it.mass)};         /* ${it.whose} */`]),
     `static const double stiffness = ${real(it.stiffness)};    /* N/m */`, `static const double wall_damping = ${real(it.wall)}; /* N.s/m */`, `static const double surface = ${real(it.surface)};      /* m */`, "",
     "/* Closes the loop; `read` tells the position, `motor` pushes with -effort and returns the effort it applied. 0: done. */",
     "int control(int ticks, double (*read)(void), double (*motor)(double))", "{",
@@ -85,8 +89,7 @@ function c(tree, name) {
 }
 
 /** Lines of Python for the same, with the module of bindings/python. */
-function python(tree, name) {
-  const it = numbers(tree, name);
+function python(it, name) {
   const made = {
     none: [],
     "lolc-device-damping": [`stabilizer = lyapunov.Stabilizer("lolc", limit=limit, damping=${real(it.damping)})  # N·s/m, the least that the device surely has`],
@@ -95,7 +98,7 @@ function python(tree, name) {
   const none = name === "none";
   const lines = [
     "import lyapunov", "", `PERIOD = ${real(it.period)}  # s`, `STIFFNESS = ${real(it.stiffness)}  # N/m`, `WALL_DAMPING = ${real(it.wall)}  # N·s/m`, `SURFACE = ${real(it.surface)}  # m`, "",
-    ...(none ? [] : [`limit = lyapunov.damping_limit(${real(it.mass)}, PERIOD, cap=${real(it.cap, 'float("inf")')}, delay=${it.late})  # of the smallest mass that moves, kg`]), ...made,
+    ...(none ? [] : [`MASS = ${real(it.mass)}  # ${it.whose}`, `limit = lyapunov.damping_limit(MASS, PERIOD, cap=${real(it.cap, 'float("inf")')}, delay=${it.late})  # ${it.note}`]), ...made,
     "readings = lyapunov.Readings(PERIOD)", "", "",
     "def control(ticks, read, motor):", '    """Closes the loop; read() tells the position, motor(effort) pushes with -effort and returns the effort it applied."""',
     "    applied = 0.0", "    for _ in range(ticks):", "        sample = readings.read(read(), applied)", "        depth = sample.position - SURFACE",

@@ -1,6 +1,6 @@
 // What one takes along: the address, the scene, its rows, lines for a loop of one's own.
 
-import { LANGUAGES } from "./lines.js";
+import { LANGUAGES, numbers } from "./lines.js";
 import { button, made } from "./made.js";
 import { toml } from "./scene.js";
 
@@ -33,7 +33,7 @@ export function wire({ $, engine, now, open }) {
   for (const { name, lines } of LANGUAGES) {
     $("lines").append(button(`copy the ${name} lines`, () => {
       const at = now();
-      const text = lines(at.tree, at.name);
+      const text = lines(numbers(at.tree, engine.numbers("limits", toml(at.tree))), at.name);
       $("code").hidden = false;
       $("code").textContent = text;
       copy(text, `The ${name} lines`, `: ${at.title}, the loop chosen under Why`);

@@ -45,7 +45,7 @@ const jobs = {
       tell({ first, cells });
     }
     tell({ took: performance.now() - began });
-    const limits = curve.map((it) => engine.numbers("limits", it)[3]);
+    const limits = curve.map((it) => engine.numbers("limits", it)[0]);
     tell({ limits });
   },
 };

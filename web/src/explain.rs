@@ -33,14 +33,13 @@ fn explained<V: Space>(scene: &Scene) -> Result<Vec<u8>, String> {
     Ok(format!("{sentence}\n{energies}\n{json}").into_bytes())
 }
 
-/// The limits of a scene's stiffness: passive, Gil's rule, exact from and to, spectral radius; NaN where one does not
-/// apply.
+/// Limits of a scene: the exact one of its stiffness, N/m, the cap that it writes, m / T, each NaN where there is none, and the mass in
+/// kg in which that cap counts.
 #[unsafe(no_mangle)]
 pub extern "C" fn limits() -> u32 {
     answer(|text| {
-        let limits = Limits::of(&parsed(text)?);
-        let Limits { passive, gil, exact_from, exact, spectral_radius, .. } = limits;
-        let numbers = [passive, gil, exact_from, exact, spectral_radius];
+        let scene = parsed(text)?;
+        let numbers = [Limits::of(&scene).exact, scene.written_cap(), Some(scene.port_mass())];
         Ok(bytes(numbers.map(|it| it.unwrap_or(f64::NAN))))
     })
 }

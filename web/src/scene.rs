@@ -64,13 +64,14 @@ pub(crate) fn stabilized(text: &str) -> Result<Scene, String> {
     name.written_in(&scene, &[]).map_err(|conflict| conflict.to_string())
 }
 
-/// Reads a scene under the stabilizer in the first line of the input: the output is that scene with every default, as JSON.
+/// Reads a scene under the stabilizer in the first line of the input: the output is that scene with every default, as JSON, but
+/// for a cap that it does not write, which goes on following the delay.
 #[unsafe(no_mangle)]
 pub extern "C" fn read() -> u32 {
     answer(|text| {
         let scene = stabilized(text)?;
         // By way of the tree that maps are made of, so that a scene is serialized by one code.
-        let tree = toml::Value::try_from(&scene).map_err(|error| error.to_string())?;
+        let tree = toml::Value::try_from(scene.as_written()).map_err(|error| error.to_string())?;
         serde_json::to_vec(&tree).map_err(|error| error.to_string())
     })
 }
