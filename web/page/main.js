@@ -240,6 +240,13 @@ function remedy(set) {
   $("why-said").focus();
 }
 
+/** The largest force of the scene, where the loop that is explained grows without it. */
+function bounding() {
+  const key = "effects.saturation.force";
+  const most = value(state.tree, key);
+  return most && engine.run(state.under, toml(changed(state.tree, key, undefined))).verdict === 2 ? most : 0;
+}
+
 function hear({ data }) {
   // What was on its way when the scene changed is of the scene before.
   if (data.id !== asked[data.kind]) return;
@@ -247,7 +254,7 @@ function hear({ data }) {
   if (data.kind === "map") map.hear(data);
   if (data.kind !== "explain") return;
   if (data.refused) $("why-said").textContent = data.refused;
-  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, remedy);
+  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, bounding(), remedy);
 }
 
 function start(preset) {

@@ -15,18 +15,17 @@ export const written = (set) => Object.entries(set).map(([key, it]) => `${key} =
 
 const said = (text) => `${text.replace(/^./, (first) => first.toUpperCase())}.`;
 
-/** The sentence on a run, where the hint of the command has none. */
-function sentence(hint, told, name) {
+/** The sentence on a run, where the hint of the command has none; `most` is the largest force, where the run grows without it. */
+function sentence(hint, { verdict, spectral_radius: radius, first_contact: first, whole_run: whole }, most) {
   if (hint) return said(hint);
-  const radius = told.spectral_radius;
-  const held = name !== "none" && told.whole_run.controller !== 0;
-  const but = held ? "the stabilizer holds it." : "this run is not in contact long enough to grow.";
-  const linear = radius === null ? "" : radius < 1 ? " The loop alone is stable in contact." : ` The loop alone is not stable in contact; ${but}`;
-  return { settles: "It comes to rest.", swinging: "It stays bounded and does not come to rest.", "too short": "The run is too short to judge." }[told.verdict] + linear;
+  const alone = !first || first.to_s < whole.to_s ? "this run does not stay in contact" : "yet this run does not grow";
+  const but = most ? `the largest force of ${digits(most)} N bounds it` : whole.controller ? "the stabilizer holds it" : alone;
+  const linear = radius === null ? "" : radius < 1 ? " The loop alone is stable in contact." : ` The loop alone is not stable in contact; ${but}.`;
+  return { settles: "It comes to rest.", swinging: "It stays bounded and does not come to rest.", "too short": "The run is too short to judge." }[verdict] + linear;
 }
 
-export function tell(parts, { name, sentence: hint, rows, told }, take) {
-  parts.said.textContent = sentence(hint, told, name);
+export function tell(parts, { name, sentence: hint, rows, told }, most, take) {
+  parts.said.textContent = sentence(hint, told, most);
   const { first_contact: first, whole_run: whole } = told;
   const table = parts.energies;
   table.replaceChildren();

@@ -103,6 +103,25 @@ async function energies(page, path) {
   }
 }
 
+/** What is said of a bounded run in a loop that is not stable: what bounds it, or that it leaves the wall, or neither. */
+async function bounded(page) {
+  const scene = (start, hand, effect) => `servo_rate = 1000\nduration = 2\ninitial = { position = ${start} }\ndevice = { mass = 0.2, damping = 0.1 }
+operator = { mass = 0.1, damping = 1, stiffness = 300, rest = 0.003${hand} }\nenvironment.wall = { stiffness = 40000, damping = 2 }\neffects.${effect}\n`;
+  const cases = [
+    [scene(-0.006, "", "saturation.force = 8"), "the largest force of 8 N bounds it"],
+    [scene(-0.006, ', motion = { kind = "step", at = 0.05, to = -0.005 }', "saturation.force = 1e6"), "this run does not stay in contact"],
+    [scene(1e-4, "", "friction.coulomb = 5"), "yet this run does not grow"],
+  ];
+  for (const [index, [text, said]] of cases.entries()) {
+    const path = join(folder, "bounded.toml");
+    writeFileSync(path, text);
+    const { spectral_radius: radius, verdict, first_contact: first } = JSON.parse(lyapunov("explain", path, "--json"));
+    assert.ok(radius > 1 && verdict !== "grows" && (first.to_s === 2) === (index === 2), `${text}: ${radius} ${verdict} ${first.to_s}`);
+    await drop(page, [["bounded.toml", text]]);
+    await page.until(`document.querySelector('#why-said').textContent.endsWith(${JSON.stringify(`not stable in contact; ${said}.`)})`);
+  }
+}
+
 /** The explanation that the page shows is the one of `explain`; a remedy's button does what it says. */
 export async function reasons(browser) {
   const page = await opened(browser);
@@ -124,6 +143,7 @@ export async function reasons(browser) {
   await page.until("document.querySelector('#why-said').textContent.includes('in balance')");
   const note = lyapunov("run", path).replace(/\s+/g, " ").split(" note ")[1].trim();
   assert.equal((await page.value("document.querySelector('#why-said').textContent")).toLowerCase(), `${note.toLowerCase()}.`);
+  await bounded(page);
   const coarse = 'servo_rate = 1000\nduration = 2\nintegrator = "semi-implicit-euler"\ndevice = { mass = 0.2, damping = 3 }\n[environment.wall]\nstiffness = 2000\n[initial]\nposition = -0.01\nvelocity = 0.2\n';
   writeFileSync(path, coarse);
   await drop(page, [["coarse.toml", coarse]]);
