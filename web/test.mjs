@@ -10,10 +10,10 @@ import { chromium, folder, only } from "./tests/driver.mjs";
 import { lines } from "./tests/lines.mjs";
 import { book, docs, looks, ranges, searched, thin } from "./tests/looks.mjs";
 import { dropped, maps, paper, reasons, rows, words } from "./tests/same.mjs";
-import { refused, shared, taken } from "./tests/share.mjs";
+import { named, refused, shared, taken } from "./tests/share.mjs";
 import { caps, family, frames, hand, steps } from "./tests/use.mjs";
 
-const CHECKS = [ranges, thin, words, rows, dropped, maps, steps, family, reasons, caps, hand, frames, shared, taken, refused, paper, lines, looks, book, docs, searched];
+const CHECKS = [ranges, thin, words, rows, dropped, maps, steps, family, reasons, caps, hand, frames, shared, taken, named, refused, paper, lines, looks, book, docs, searched];
 
 const browser = new Browser(chromium);
 try {

@@ -11,7 +11,7 @@ import { VERDICTS, ink, isCalm, onScheme } from "./paint.js";
 import { PRESETS, list } from "./presets.js";
 import { address, bare, changed, ofAddress, toml, value } from "./scene.js";
 import { wire } from "./share.js";
-import { fill, moved } from "./sliders.js";
+import { fill, moved, unseen } from "./sliders.js";
 import { Stage } from "./stage.js";
 import { digits, tell, written } from "./why.js";
 import { work } from "./worker.js";
@@ -201,13 +201,13 @@ function take(tree, chosen = {}) {
   return false;
 }
 
-/** Says what was done, and that a cap in the scene stays; `before`, the state without it, is offered back. */
+/** Says what was done, what no slider shows, and that a cap in the scene stays; `before`, the state without it, is offered back. */
 function say(text, before) {
   const [name] = Object.keys(state.tree.stabilizer ?? {});
   const key = `stabilizer.${name}.damping_cap`;
   const cap = value(state.tree, key);
-  const holds = `The scene holds ${toml({ damping_cap: cap ?? 0 }).trim()}, which stays when the delay moves.`;
-  const all = cap === undefined ? text : `${text} ${holds}`;
+  const holds = cap === undefined ? "" : `The scene holds ${toml({ damping_cap: cap }).trim()}, which stays when the delay moves.`;
+  const all = [text, unseen(state.tree), holds].filter((it) => it).join(" ");
   const said = $("said");
   // Not told anew on each step of a slider.
   if (said.firstChild?.data === all && !before) return;

@@ -1,6 +1,6 @@
 // The numbers of a scene that one moves by hand.
 
-import { changed, value } from "./scene.js";
+import { changed, pairs, toml, value } from "./scene.js";
 
 const STEPS = 400;
 
@@ -48,6 +48,14 @@ export function moved(tree, slider, number) {
   if (number === null || (slider.whole && number === 0)) return changed(tree, slider.off, undefined);
   const to = changed(tree, slider.key, number);
   return slider.key === "servo_rate" ? changed(to, "environment_rate", undefined) : to;
+}
+
+/** What a scene holds that no slider shows, nor another part of the page: not the duration, cap and candidate, nor what is usual. */
+export function unseen(tree) {
+  const others = pairs(tree).filter(([key, it]) => it !== 0 && (Array.isArray(it) || !SLIDERS.some((slider) => slider.key === key)));
+  const lines = others.map(([key, it]) => toml({ [key]: it }).trim());
+  const told = lines.filter((it) => !/^duration|damping_cap|candidate|"(held|plain)"$/.test(it));
+  return told.length ? `Also in the scene: ${told.join(", ")}.` : "";
 }
 
 /** A number with its unit. */

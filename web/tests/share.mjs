@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
+import { address } from "../page/scene.js";
 import { closed, credit, drop, folder, lyapunov, opened, root, saved, slide, verdicts } from "./driver.mjs";
 
 /** A scene goes into the address, a file and back. */
@@ -83,6 +84,31 @@ export async function taken(browser) {
   await drop(page, [["bare.toml", readFileSync(bare, "utf8")]]);
   await page.until("document.querySelector('#done').textContent === 'bare.toml is open.'");
   assert.equal(await saved(page, "#download-rows"), lyapunov("run", bare, "--csv", "-", "--quiet"));
+  await closed(page);
+}
+
+/** What no slider shows is named, for as long as it is there; a cap that no scene writes stays unwritten. */
+export async function named(browser) {
+  const first = await opened(browser);
+  const tree = await first.value("lyapunov.state.tree");
+  await closed(first);
+  const effects = { saturation: { force: 8 }, delay: { ticks: 2 }, encoder: { resolution: 1e-5 }, friction: { coulomb: 0.5 } };
+  const page = await opened(browser, {}, `#${address({ ...tree, effects })}`);
+  const said = () => page.value("document.querySelector('#said').textContent");
+  const others = "Also in the scene: effects.saturation.force = 8, effects.friction.coulomb = 0.5.";
+  assert.equal(await said(), `The scene of this address. ${others}`);
+  await slide(page, "device.mass", 0.4);
+  assert.equal(await said(), others);
+  await page.value("document.querySelector('#desk').click(); 0");
+  await slide(page, "device.mass", 0.4);
+  assert.equal(await said(), "");
+  await drop(page, [["own.toml", `${await page.value("lyapunov.scene()")}\n[stabilizer.popc]\n`]]);
+  await page.until("document.querySelector('#done').textContent === 'own.toml is open.'");
+  assert.equal(await said(), "The scene of own.toml.");
+  assert.ok(!/damping_cap/.test(await saved(page, "#download")));
+  await drop(page, [["box.toml", readFileSync(join(root, "scenes/box.toml"), "utf8")]]);
+  await page.until("document.querySelector('#said').textContent.includes('environment.box.stiffness = ')");
+  assert.match(await said(), /initial.position = \[/);
   await closed(page);
 }
 
