@@ -1,5 +1,6 @@
 // The map of verdicts over two sliders, with the place where one stands.
 
+import { made } from "./made.js";
 import { VERDICTS, font, ink, path, sheet } from "./paint.js";
 import { SLIDERS, placeOf, shareOf, unrounded } from "./sliders.js";
 import { changed, toml, value } from "./scene.js";
@@ -16,25 +17,20 @@ const straight = (slider) => ({ ...slider, bend: false, off: undefined });
 
 export class StabilityMap {
   constructor({ canvas, x, y, under, said }, ask, move) {
-    Object.assign(this, { canvas, x, y, under, saidPlace: said, ask, move, frame: canvas.closest(".frame") });
+    Object.assign(this, { canvas, x, y, under, saidPlace: said, ask, move, part: canvas.closest("section") });
     for (const select of [x, y]) for (const it of AXES) select.append(new Option(it.label.toLowerCase(), it.key));
     x.value = "environment.wall.stiffness";
     y.value = "environment.wall.damping";
     this.image = document.createElement("canvas");
     this.image.width = this.image.height = COUNT;
     for (const select of [x, y, under]) select.addEventListener("change", () => this.renew(true));
-    canvas.addEventListener("click", (event) => this.stands && this.step(...this.placeOf(event)));
-    canvas.addEventListener("keydown", (event) => this.stands && this.key(event));
+    canvas.addEventListener("click", (event) => this.step(...this.placeOf(event)));
+    canvas.addEventListener("keydown", (event) => this.key(event));
     this.asked = "";
   }
 
   get sliders() {
     return [this.x, this.y].map((select) => straight(AXES.find((it) => it.key === select.value)));
-  }
-
-  /** Whether there is a map to move on, or one is being computed. */
-  get stands() {
-    return this.asked && !this.frame.classList.contains("pale");
   }
 
   /** Shows where a scene stands; computes the map again where anything but its two numbers changed. */
@@ -51,7 +47,7 @@ export class StabilityMap {
 
   renew(always) {
     // A map that is not shown needs no runs.
-    if (!this.canvas.clientWidth) return;
+    if (!this.x.clientWidth) return;
     const [x, y] = this.sliders;
     if (x.key === y.key) {
       // What is still being computed is of other axes.
@@ -81,10 +77,11 @@ export class StabilityMap {
   }
 
   /** Takes what the worker tells. */
-  hear({ first, cells, took, limits, refused }) {
+  hear({ first, cells, took, limits, refused, beyond }) {
     if (!this.asked) return;
     if (refused) return this.fail(refused.split("\n")[0]);
-    this.frame.classList.remove("pale");
+    if (beyond) return this.send();
+    this.part.classList.remove("pale");
     if (cells) {
       const colours = ink();
       const shades = VERDICTS.map((word) => rgb(colours[word]));
@@ -98,18 +95,24 @@ export class StabilityMap {
       context.putImageData(pixels, 0, COUNT - first / COUNT - rows);
     }
     if (took !== undefined) {
-      this.took = took;
       this.saidPlace.textContent = `${(COUNT * COUNT).toLocaleString("en")} runs in ${(took / 1e3).toFixed(1)} s on one core`;
-      this.canvas.dataset.done = this.asked;
     }
     if (limits) this.limits = limits;
     this.draw();
   }
 
-  fail(reason) {
-    this.saidPlace.textContent = reason;
-    this.frame.classList.add("pale");
-    this.draw();
+  /** Says in place of the map why there is none. */
+  fail(...reason) {
+    this.saidPlace.replaceChildren(...reason);
+    this.part.classList.add("pale");
+  }
+
+  /** Sends to the command. */
+  send() {
+    const [x, y] = this.sliders.map(axis);
+    const command = `lyapunov map scene.toml --x ${x} --y ${y} --stabilizers ${this.under.value} --out map`;
+    const why = "The page does not map this scene, only walls without delay, encoder and other effects. Download it below, then: ";
+    this.fail(why, made("code", {}, command));
   }
 
   get box() {

@@ -36,7 +36,7 @@ const jobs = {
 
   /** The verdicts over two axes, and the exact limit where the stiffness is one of them. */
   async map({ scene, x, y, name, count, curve }, tell, goes) {
-    engine.bytes("chart", `${x}\n${y}\n${name}\n${scene}`);
+    if (!engine.bytes("chart", `${x}\n${y}\n${name}\n${scene}`).length) return tell({ beyond: true });
     const began = performance.now();
     for (let first = 0; first < count * count; first += BAND) {
       await breath();

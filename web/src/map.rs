@@ -19,7 +19,8 @@ struct Map {
     kernel: Kernel,
 }
 
-/// Begins a map: the lines of the input are the two axes, the stabilizer, and the scene.
+/// Begins a map: the lines of the input are the two axes, the stabilizer, and the scene. The output is empty where only the
+/// command maps that scene.
 #[unsafe(no_mangle)]
 pub extern "C" fn chart() -> u32 {
     answer(|text| {
@@ -33,9 +34,10 @@ pub extern "C" fn chart() -> u32 {
         let grid = Grid::new(scene, axis(x)?, axis(y)?, [name]).map_err(|it| it.to_string())?;
         let kernel = Kernel::of(&grid, Instructions::Base, Lanes::Many);
         let kernel = kernel.map_err(|error| error.to_string())?;
-        let kernel = kernel.ok_or("the page maps walls without further effects")?;
-        MAP.set(Some(Map { name, kernel }));
-        Ok(Vec::new())
+        Ok(kernel.map_or_else(Vec::new, |kernel| {
+            MAP.set(Some(Map { name, kernel }));
+            vec![1]
+        }))
     })
 }
 

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { closed, folder, lyapunov, mapped, opened, slide, verdicts } from "./driver.mjs";
+import { closed, folder, lyapunov, mapped, opened, saved, slide, verdicts } from "./driver.mjs";
 
 const SHIFT = 8;
 
@@ -40,7 +40,7 @@ export async function frames(browser) {
   await closed(page);
 }
 
-/** The map moves the sliders where there is one, and not where it is pale. */
+/** The map moves the sliders where there is one; where there is none the page claims none, and names the command that makes it. */
 export async function steps(browser) {
   const page = await opened(browser);
   await mapped(page);
@@ -57,13 +57,25 @@ export async function steps(browser) {
   assert.notEqual(moved, before);
   const same = "document.querySelector('#map-y')";
   await page.value(`${same}.value = document.querySelector('#map-x').value; ${same}.dispatchEvent(new Event("change"))`);
-  assert.equal(await touch(), moved, "both axes are the same");
+  const parts = () => page.value("[...document.querySelectorAll('#map-part > :is(p:not(#map-said), .frame, .legend)')].map((it) => it.clientHeight > 0)");
+  assert.deepEqual(await parts(), [false, false, false], "both axes are the same");
   await page.value(`${same}.value = "environment.wall.damping"; ${same}.dispatchEvent(new Event("change"))`);
   await mapped(page);
   await slide(page, "effects.delay.ticks", 0.2);
-  await page.until("document.querySelector('#map-said').textContent.includes('without further effects')");
-  const late = await scene();
-  assert.equal(await touch(), late, "there is no map of a late force");
+  await page.until("document.querySelector('#map-said').textContent.includes('does not map this scene')");
+  assert.deepEqual(await parts(), [false, false, false], "there is no map of a late force");
+  const path = join(folder, "unmapped.toml");
+  writeFileSync(path, await saved(page, "#download"));
+  const command = await page.value("document.querySelector('#map-said code').textContent");
+  const [name, ...words] = command.replace(" scene.toml ", ` ${path} `).replace(" map", " map --json").replaceAll(":256", ":3").split(" ");
+  assert.equal(name, "lyapunov");
+  words[words.indexOf("--out") + 1] = join(folder, "unmapped");
+  assert.equal(JSON.parse(lyapunov(...words)).areas.length, 1);
+  await slide(page, "effects.delay.ticks", 0);
+  await mapped(page);
+  assert.deepEqual(await parts(), [true, true, true]);
+  const back = await scene();
+  assert.notEqual(await touch(), back);
   await closed(page);
 }
 
