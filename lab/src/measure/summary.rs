@@ -52,6 +52,8 @@ pub struct Summary {
     pub shortfall: f64,
     /// Ticks on which the controller was active.
     pub active: u64,
+    /// Whether an effort was changed on any tick.
+    pub(crate) corrected: bool,
     signs: RunSigns,
     /// The true position, m, and the force applied to the plant, N, of the last tick.
     place: [f64; 3],
@@ -91,6 +93,7 @@ impl Summary {
             asked: 0.0,
             shortfall: 0.0,
             active: 0,
+            corrected: false,
             signs: RunSigns::new(scene),
             place: [0.0; 3],
             acting: [0.0; 3],
@@ -153,6 +156,7 @@ impl Summary {
         }
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);
+        self.corrected |= tick.added().axes() != [0.0; 3];
         self.rows += 1;
         self.last = Some(row);
         self.place = place;
@@ -187,7 +191,7 @@ impl Summary {
         self.signs.finish(&self.scene)
     }
 
-    /// Share of ticks with damping, %; none under a law that adds no damping, and under one whose damping is no `α`.
+    /// Share of ticks with damping, %; none under a law that adds no damping, and under one whose damping is no `α`, or untold.
     pub fn active_percent(&self) -> Option<f64> {
         self.reports_damping().then(|| 100.0 * self.active as f64 / self.rows.max(1) as f64)
     }
@@ -197,12 +201,28 @@ impl Summary {
         self.reports_damping().then_some(MILLI * self.asked)
     }
 
-    /// Whether the damping of the stabilizer, if it adds any, is told as `α`; a value of the caller's may tell one.
+    /// Whether the damping of the stabilizer, if it adds any, is told as `α`.
     fn reports_damping(&self) -> bool {
         match self.stabilizing {
             Stabilizing::Table(Some(table)) => table.kind().reports_damping(),
-            Stabilizing::Table(None) | Stabilizing::Foreign(_) => true,
+            Stabilizing::Table(None) => true,
+            Stabilizing::Foreign(_) => self.tells_damping(),
         }
+    }
+
+    /// Whether observed energy and shortfall are findings: those of a value of the caller's may be left at 0.
+    pub(crate) fn reports_debt(&self) -> bool {
+        matches!(self.stabilizing, Stabilizing::Table(_)) || self.tells_debt()
+    }
+
+    /// Whether the corrections tell how they damp: a share of 0 % is one where no effort was changed, too.
+    pub(crate) fn tells_damping(&self) -> bool {
+        self.active > 0 || !self.corrected
+    }
+
+    /// Whether any correction told an observed energy or a shortfall.
+    pub(crate) fn tells_debt(&self) -> bool {
+        [self.observed_energy_least, self.observed_energy_most, self.shortfall] != [0.0; 3]
     }
 
     /// Whether any force acted on the plant.

@@ -59,16 +59,17 @@ struct Observed<'a> {
     /// The name of a stabilizer of the caller's, whose table no scene has.
     #[serde(skip_serializing_if = "Option::is_none")]
     own: Option<&'a str>,
-    observed_energy_least_mj: f64,
-    observed_energy_most_mj: f64,
-    observed_energy_end_mj: f64,
+    /// None of a stabilizer of the caller's that tells neither observed energy nor shortfall, as the shortfall.
+    observed_energy_least_mj: Option<f64>,
+    observed_energy_most_mj: Option<f64>,
+    observed_energy_end_mj: Option<f64>,
     /// None under a law without a damping that is told as `alpha`, and so the energy asked for.
     active_percent: Option<f64>,
     /// The limit of the damping cap for the delay, m / T, where the cap lies above it.
     #[serde(skip_serializing_if = "Option::is_none")]
     damping_cap_limit: Option<f64>,
     energy_asked_for_mj: Option<f64>,
-    shortfall_mj: f64,
+    shortfall_mj: Option<f64>,
 }
 
 impl Summary {
@@ -106,15 +107,16 @@ impl Summary {
             Stabilizing::Foreign(name) => Some(&**name),
             Stabilizing::Table(_) => None,
         };
+        let told = |energy: f64| self.reports_debt().then_some(MILLI * energy);
         Observed {
             own,
-            observed_energy_least_mj: MILLI * self.observed_energy_least,
-            observed_energy_most_mj: MILLI * self.observed_energy_most,
-            observed_energy_end_mj: MILLI * self.last.map_or(0.0, |row| row.observed_energy),
+            observed_energy_least_mj: told(self.observed_energy_least),
+            observed_energy_most_mj: told(self.observed_energy_most),
+            observed_energy_end_mj: told(self.last.map_or(0.0, |row| row.observed_energy)),
             damping_cap_limit: self.scene.exceeded_cap(),
             active_percent: self.active_percent(),
             energy_asked_for_mj: self.millijoules_asked(),
-            shortfall_mj: MILLI * self.shortfall,
+            shortfall_mj: told(self.shortfall),
         }
     }
 }
@@ -187,13 +189,16 @@ impl Summary {
 
     fn write_stabilizer(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let last = self.last.map_or(0.0, |row| row.observed_energy);
-        write!(
-            f,
-            "\n  observed     energy from {} to {} mJ, at the end {} mJ",
-            found(MILLI * self.observed_energy_least),
-            found(MILLI * self.observed_energy_most),
-            found(MILLI * last)
-        )?;
+        match self.reports_debt() {
+            true => write!(
+                f,
+                "\n  observed     energy from {} to {} mJ, at the end {} mJ",
+                found(MILLI * self.observed_energy_least),
+                found(MILLI * self.observed_energy_most),
+                found(MILLI * last)
+            )?,
+            false => write!(f, "\n  observed     energy and shortfall: it tells none")?,
+        }
         let did = match (self.active_percent(), self.millijoules_asked(), &self.stabilizing) {
             (Some(share), Some(asked), _) => {
                 format!("active on {share:.1} % of ticks, {} mJ asked for", found(asked))
@@ -201,9 +206,14 @@ impl Summary {
             (.., Stabilizing::Table(Some(table))) if table.kind().adds_damping() => {
                 "damps as a port around the environment and not by an alpha".to_owned()
             }
+            (.., Stabilizing::Foreign(_)) => "changes the force and tells no alpha".to_owned(),
             _ => "cuts the force and adds no damping".to_owned(),
         };
-        write!(f, "\n  controller   {did}, shortfall up to {} mJ", found(MILLI * self.shortfall))
+        write!(f, "\n  controller   {did}")?;
+        match self.reports_debt() {
+            true => write!(f, ", shortfall up to {} mJ", found(MILLI * self.shortfall)),
+            false => Ok(()),
+        }
     }
 }
 

@@ -60,11 +60,16 @@ impl<V: Space> EntrantRun<V> {
         let mut look_at = meters.summary.seen();
         let table = entrant.like.and_then(|like| like.table(scene));
         look_at.extend(table.and_then(|table| Oddity::outside(scene, table)));
+        // Of one that nobody knows, what stays at 0 was not told.
+        let (damps, owes) = match entrant.like {
+            Some(like) => (like.reports_damping(), true),
+            None => (meters.summary.tells_damping(), meters.summary.tells_debt()),
+        };
         let (score, curves) = meters.finish(entrant.name.clone(), state_bytes);
-        let reports = entrant.like.is_none_or(StabilizerName::reports_damping);
-        let active = score.active.filter(|_| reports);
+        let active = score.active.filter(|_| damps);
+        let shortfall = score.shortfall.filter(|_| owes);
         let judged_by = entrant.like.map(StabilizerName::judgement);
-        let score = Score { active, judged_by, ..score };
+        let score = Score { active, shortfall, judged_by, ..score };
         Ok(Self { score, curves, samples, look_at })
     }
 }

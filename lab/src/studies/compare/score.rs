@@ -29,7 +29,7 @@ pub struct Score {
     /// The energy that the controller's force took out of the motion, mJ.
     #[serde(rename = "energy_taken_mj")]
     pub energy_taken: Option<f64>,
-    /// Largest debt that a tick could not serve, mJ.
+    /// Largest debt that a tick could not serve, mJ; `None` of an own entrant that tells neither observed energy nor shortfall.
     #[serde(rename = "shortfall_mj")]
     pub shortfall: Option<f64>,
     /// Stiffness felt in contacts of half a second or more, N/m.
@@ -44,7 +44,7 @@ pub struct Score {
     /// Root mean square of the force on the plant between 5 and 50 Hz, N.
     #[serde(rename = "chatter_rms_n")]
     pub chatter: Option<f64>,
-    /// Share of the ticks on which damping was injected, percent; `None` for a law that adds no damping.
+    /// Share of the ticks on which damping was injected, percent; `None` for a law that adds no damping, or tells none.
     #[serde(rename = "active_percent")]
     pub active: Option<f64>,
     /// Time of one step.

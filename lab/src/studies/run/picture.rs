@@ -42,7 +42,7 @@ impl Curves {
         let mut energy = panel("energy", "energy, mJ")
             .with_series(Series::line("into the port", 0, points(&self.port, MILLI)))
             .with_guide(Guide::horizontal(0.0, ""));
-        if summary.stabilizing.is_there() {
+        if summary.stabilizing.is_there() && summary.reports_debt() {
             let observed = points(&self.observed, MILLI);
             energy = energy.with_series(Series::line("observed by the stabilizer", 1, observed));
         }
