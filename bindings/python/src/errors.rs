@@ -8,6 +8,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyType;
 use pyo3::{PyTypeInfo, create_exception};
 
+use crate::words;
+
 create_exception!(
     lyapunov,
     InputError,
@@ -22,15 +24,11 @@ create_exception!(
      `remedies`, a list; those that do not apply are None."
 );
 
-/// A remedy that only the command has, and how Python comes by it.
-const COMMAND: (&str, &str) =
-    ("`lyapunov compare` takes it", "only the command takes it: `python -m lyapunov compare FILE`");
-
 /// The exception of a fault in a scene, with its parts as attributes.
 pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
     // An exception is shown under its own name, which says that it is an error.
     let text = fault.to_string();
-    let text = text.strip_prefix("error: ").unwrap_or(&text).replace(COMMAND.0, COMMAND.1);
+    let text = words::of_python(text.strip_prefix("error: ").unwrap_or(&text));
     let error = SceneError::new_err(text);
     let told = || -> PyResult<()> {
         let value = error.value(py);
@@ -40,7 +38,7 @@ pub(crate) fn scene(py: Python<'_>, fault: &Diagnostic) -> PyErr {
         value.setattr("value", fault.value())?;
         value.setattr("line", fault.line())?;
         value.setattr("column", fault.column())?;
-        let help = fault.help().iter().map(|it| it.replace(COMMAND.0, COMMAND.1));
+        let help = fault.help().iter().map(|it| words::of_python(it));
         value.setattr("remedies", help.collect::<Vec<_>>())
     };
     told().map_or_else(|failed| failed, |()| error)
@@ -72,20 +70,9 @@ pub(crate) fn parameter(error: ParameterError) -> PyErr {
     InputError::new_err(ParameterError { parameter, ..error }.to_string())
 }
 
-/// Options of the command that are arguments here, as they are written in Python.
-const OPTIONS: [(&str, &str); 6] = [
-    ("with --columns", "with columns=\"T,X,F\""),
-    ("give --columns the numbers of", "give columns=\"1,2,3\", the numbers of"),
-    ("--scale x=1e-3,f=-1", "scale=[\"x=1e-3\", \"f=-1\"]"),
-    ("--scale f=-1", "scale=\"f=-1\""),
-    ("--columns", "columns"),
-    ("--scale", "scale"),
-];
-
 /// The exception of wrong input in words.
 pub(crate) fn input(error: impl std::fmt::Display) -> PyErr {
-    let told = |text: String, (option, argument)| text.replace(option, argument);
-    InputError::new_err(OPTIONS.into_iter().fold(error.to_string(), told))
+    InputError::new_err(words::of_python(&error.to_string()))
 }
 
 /// Words for a value in an error: an array with its type and shape, or its class.

@@ -9,6 +9,7 @@ mod lab;
 mod number;
 mod stored;
 mod whole;
+mod words;
 
 use pyo3::prelude::*;
 

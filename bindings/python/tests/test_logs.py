@@ -120,7 +120,37 @@ def test_scales_may_be_a_dictionary():
     by_words = ly.observe(log, scale=["x=1e-3", "f=-1"])
     assert numbers(ly.observe(log, scale={"x": np.float64(1e-3), "f": -1})) == numbers(by_words)
     assert numbers(ly.observe(SECONDS, scale=None)) == numbers(ly.observe(SECONDS))
+    assert numbers(ly.observe(log, scale="x=1e-3,f=-1")) == numbers(by_words)
+    with pytest.raises(ly.InputError, match="^`time` is none of t, x, f and v\n.*whatever the log calls them"):
+        ly.observe({"time": log["t"], "x": log["x"], "f": log["f"]}, scale={"time": 1e-3})
     with pytest.raises(TypeError, match=r"^scale\['x'\] is 'mm'; give the factor to SI, a float"):
         ly.observe(log, scale={"x": "mm"})
     with pytest.raises(TypeError, match="^scale is int; give a str, or a list of them"):
         ly.observe(log, scale=3)
+
+
+def test_rows_in_memory_are_counted_from_0():
+    """A file has lines, and its options are those of the command."""
+    force, time = SECONDS["f"].copy(), SECONDS["t"].copy()
+    force[[50, 70]], time[30] = (np.nan, np.inf), time[29]
+    told = ly.observe({"t": time, "x": SECONDS["x"], "f": force})
+    for words in ("log: 197 rows", "row 50: f is `nan`", "row 70: f", "row 30: t = 0.029 s is not after 0.029 s of row 29"):
+        assert words in str(told), words
+    assert "line" not in str(told) and "--" not in str(told).split("contacts")[0] and "scale may be wrong" in str(told)
+    assert [row["line"] for row in told.document["bad_rows"]["first"]] == [32, 52, 72]
+    with pytest.raises(ly.InputError, match=r"(?s)^log: fewer than two .* the first at row 0: f"):
+        ly.observe({"t": time[:3], "x": SECONDS["x"][:3], "f": [np.nan] * 3})
+    with pytest.raises(ly.InputError, match="^log: there is no column `x`"):
+        ly.observe({"t": time, "y": SECONDS["x"], "f": force})
+
+
+def test_a_file_has_lines(tmp_path):
+    file = tmp_path / "log.csv"
+    file.write_text("t,x,f\n0,0,0\n1,0,nan\n2,0,0\n3,0,1\n")
+    assert "line 3: f is `nan`" in str(ly.observe(file))
+
+
+def test_signs_of_a_mistake_name_arguments():
+    told = str(ly.observe({**SECONDS, "x": 1e5 * SECONDS["x"]}))
+    assert 'scale="x=1e-3"' in told and "--scale" not in told
+    assert "contact is 9 N" in str(ly.observe(SECONDS, contact=9.0))

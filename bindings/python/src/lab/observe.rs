@@ -14,7 +14,7 @@ use super::columns::{Columns, Kinds};
 use super::work::{Fault, Watched, wait};
 use super::{Scene, Told};
 use crate::errors;
-use crate::{number, whole};
+use crate::{number, whole, words};
 
 /// The columns of stabilizers on the recorded motion that do not hold numbers.
 const REPLAYED: Kinds<'_> = Kinds {
@@ -23,6 +23,9 @@ const REPLAYED: Kinds<'_> = Kinds {
     truths: &[],
     judgements: &[],
 };
+
+/// The name of a log in memory.
+const IN_MEMORY: &str = "log";
 
 /// A recorded log.
 enum Source {
@@ -35,7 +38,7 @@ impl Source {
     /// The log that `given` is, and its name: the path of a file, or bytes.
     fn of(given: &Bound<'_, PyAny>) -> PyResult<(Self, String)> {
         if let Ok(text) = given.cast::<PyBytes>() {
-            return Ok((Self::Text(text.as_bytes().to_vec()), "log".to_owned()));
+            return Ok((Self::Text(text.as_bytes().to_vec()), IN_MEMORY.to_owned()));
         }
         let path: PathBuf = given.extract()?;
         let name = path.display().to_string();
@@ -102,6 +105,8 @@ pub(crate) fn observe(
         late,
     };
     let (source, name) = Source::of(log)?;
+    let is_file = matches!(source, Source::File(_));
+    let told = move |text: String| if is_file { text } else { words::of_rows(&text, IN_MEMORY) };
     wait(py, progress, source.size(), move |watched| {
         let log = Heeding { inner: source.opened(&name)?, watched };
         let observed = match &asked {
@@ -111,12 +116,12 @@ pub(crate) fn observe(
         if watched.go_on() == ControlFlow::Break(()) {
             return Err(Fault::Stopped);
         }
-        let observed = observed.map_err(Fault::input)?;
+        let observed = observed.map_err(|error| Fault::Input(told(error.to_string())))?;
         let replay = observed.report.replay.as_ref();
         let further = replay.map(|replay| Columns::of_csv(&replay.csv(), REPLAYED)).transpose()?;
         Ok(Told {
             json: observed.report.to_json(),
-            text: format!("{}\n", observed.report),
+            text: told(format!("{}\n", observed.report)),
             figures: [Some(observed.figure()), observed.would_have()]
                 .into_iter()
                 .flatten()

@@ -9,6 +9,7 @@ use pyo3::types::PyDict;
 
 use super::columns::Columns;
 use crate::stored;
+use crate::words;
 
 /// What a study tells: the JSON and the words of the command, figures, and columns.
 #[pyclass(module = "lyapunov._lyapunov", frozen)]
@@ -17,8 +18,7 @@ pub(crate) struct Told {
     /// What the command prints with --json.
     #[pyo3(get)]
     pub(crate) json: String,
-    /// What the command prints.
-    #[pyo3(get)]
+    /// What the command prints, in its own words.
     pub(crate) text: String,
     /// The figures that the command draws with --out, as SVG.
     #[pyo3(get)]
@@ -68,6 +68,12 @@ impl Held {
 
 #[pymethods]
 impl Told {
+    /// What the command prints, in the words of Python.
+    #[getter]
+    fn text(&self) -> String {
+        words::of_python(&self.text)
+    }
+
     /// The table as a dictionary: numbers as float64 arrays of shape (rows,), whole ones as int64, truths as bool, words and truths
     /// that may be unknown as lists. Every call gives the same arrays.
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

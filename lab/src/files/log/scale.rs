@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use super::columns::Role;
 use super::error::LogError;
-use crate::text::nearest;
+use crate::text::{nearest, shorten};
 
 /// Factor of one column: its numbers times the factor are in SI units.
 ///
@@ -32,13 +32,11 @@ impl FromStr for Scale {
         };
         let name = name.trim();
         let Some(role) = Role::ALL.into_iter().find(|role| role.letter() == name) else {
-            let help = match nearest(name, &["t", "x", "f", "v"]) {
-                Some(letter) => format!("did you mean `{letter}`?"),
-                None => {
-                    "the columns are t, x, f and v here, whatever the log calls them".to_owned()
-                }
-            };
-            return wrong(&format!("there is no column `{name}`"), &help);
+            let guess = nearest(name, &["t", "x", "f", "v"]);
+            let guess = guess.map_or_else(String::new, |it| format!("did you mean `{it}`? "));
+            let help =
+                format!("{guess}the columns are t, x, f and v here, whatever the log calls them");
+            return wrong(&format!("`{}` is none of t, x, f and v", shorten(name)), &help);
         };
         match factor.trim().parse::<f64>() {
             Ok(factor) if role == Role::T && factor <= 0.0 => {
