@@ -34,7 +34,7 @@ mod _lyapunov {
     #[pymodule_export]
     use crate::lab::bound::bound;
     #[pymodule_export]
-    use crate::lab::compare::compare;
+    use crate::lab::compare::{compare, label_of};
     #[pymodule_export]
     use crate::lab::ensemble::ensemble;
     #[pymodule_export]
@@ -45,6 +45,8 @@ mod _lyapunov {
     use crate::lab::observe::observe;
     #[pymodule_export]
     use crate::lab::run::run;
+    #[pymodule_export]
+    use crate::lab::scenes::scenes;
     #[pymodule_export]
     use crate::lab::tune::tune;
     #[pymodule_export]

@@ -65,7 +65,7 @@ def test_what_makes_a_stabilizer_may_ask_the_lab():
     script = """
         asked = lambda: None
         bounds = []
-        def make():
+        def make(scene):
             if not bounds:
                 bounds.append(ly.bound(SCENE))
             return Mine()
@@ -133,7 +133,7 @@ LONG = """
         raise LookupError
 """
 
-CALLS = ["ly.run(scene, stabilizer=Mine(){})", "ly.compare(scene, stabilizers='none', own={{'mine': Mine}}{})"]
+CALLS = ["ly.run(scene, stabilizer=Mine(){})", "ly.compare(scene, stabilizers='none', own={{'mine': lambda scene: Mine()}}{})"]
 
 
 @pytest.mark.parametrize("call", CALLS)

@@ -28,6 +28,17 @@ def test_a_copy_is_the_scene(file):
     assert all(again == scene for again in copies(scene))
 
 
+def test_the_scenes_that_ship_are_listed():
+    told = ly.scenes()
+    assert sorted(told) == [file.stem for file in SCENES]
+    for name, comment in told.items():
+        lines = (ROOT / "scenes" / f"{name}.toml").read_text().splitlines()
+        assert comment.splitlines() == [line[2:] for line in lines if line.startswith("# ")][:2]
+        assert ly.Scene.shipped(name).name == name
+    with pytest.raises(ly.InputError, match="`lyapunov.scenes` lists them"):
+        ly.Scene.shipped("nobody")
+
+
 @pytest.mark.parametrize("effects", [{}, {"delay": {"ticks": 0}}, {"delay": {"ticks": 8}}])
 @pytest.mark.parametrize("name", ["popc", "lolc", "popc-bounded", "tank"])
 def test_a_cap_that_is_left_out_stays_left_out(name, effects):

@@ -27,6 +27,7 @@ from lyapunov._lyapunov import (
     closed_loop,
     damping_limit,
     replay,
+    scenes,
 )
 from lyapunov.lab import (
     accuracy,
@@ -88,5 +89,6 @@ __all__ = [
     "observe",
     "replay",
     "run",
+    "scenes",
     "tune",
 ]

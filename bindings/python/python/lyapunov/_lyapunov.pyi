@@ -80,7 +80,7 @@ class Sample:
 
 @final
 class Correction:
-    """What a stabilizer makes of an effort."""
+    """What a stabilizer makes of an effort; what is left out is 0, and reports take it as untold where it always is."""
 
     def __new__(
         cls,
@@ -278,6 +278,7 @@ def closed_loop(
 ) -> dict[str, _Vector]:
     """Closed loops of a mass on a hand against a sampled wall; results of shape (loops,) by name.
 
+    There is no delay, encoder, saturation or other effect: `ensemble` and `map` run scenes with them.
     `observed_energy`, J, is that of the wall's port before the last tick's correction, without a stabilizer too. `largest` is the
     largest |position| from half of the ticks on to the end, both counted.
     """
@@ -292,7 +293,7 @@ class Scene:
         """The scene that a text in TOML tells."""
     @staticmethod
     def shipped(name: str) -> Scene:
-        """One of the scenes that ship, as in `lyapunov scenes`."""
+        """One of the scenes that ship, which `lyapunov.scenes()` lists."""
     def to_toml(self) -> str: ...
     def to_dict(self) -> dict[str, Any]: ...
     @property
@@ -301,6 +302,14 @@ class Scene:
     def ticks(self) -> int: ...
     @property
     def dimensions(self) -> int: ...
+    @property
+    def mass(self) -> float: ...
+    @property
+    def period(self) -> float: ...
+    @property
+    def damping(self) -> float: ...
+    @property
+    def delay(self) -> int: ...
     def __eq__(self, other: object, /) -> bool: ...
 
 @final
@@ -328,7 +337,7 @@ def run(scene: Scene, stabilizer: object = None, rows: bool = True, progress: _P
 def compare(
     scenes: Sequence[Scene],
     stabilizers: str | None = None,
-    own: Mapping[str, Callable[[], Any]] | None = None,
+    own: Mapping[str, Callable[[Scene], Any]] | None = None,
     by: str | None = None,
     progress: _Progress = None,
 ) -> Told: ...
@@ -351,6 +360,9 @@ class MapMerge:
     def end(self) -> Told: ...
 
 def unit_of(axis: str) -> str: ...
+def label_of(column: str) -> str: ...
+def scenes() -> dict[str, str]:
+    """The scenes that ship, by their names for `Scene.shipped`: what each shows, and what to look at there."""
 def shard_head(scene: Scene, x: str, y: str, stabilizers: str, shard: str) -> str: ...
 def map_cells(scene: Scene, x: str, y: str, stabilizers: str) -> int: ...
 def ensemble(

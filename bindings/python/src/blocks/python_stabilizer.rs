@@ -19,9 +19,11 @@ pub(crate) struct PythonStabilizer {
     run: Asker,
 }
 
-/// The work that asks stabilizers written in Python.
+/// The work that asks a stabilizer written in Python.
 #[derive(Clone, Debug)]
 pub(crate) struct Asker {
+    /// The stabilizer and its scene, for whoever reads an error.
+    pub(crate) about: Arc<str>,
     /// The errors that they raised.
     pub(crate) raised: Raised,
     /// Whether the work was interrupted.
@@ -33,6 +35,14 @@ impl Asker {
     /// after it.
     pub(crate) fn is_over(&self) -> bool {
         self.stopped.load(Ordering::Relaxed) || self.raised.is_kept()
+    }
+
+    /// Keeps an error, with a note of where it was raised.
+    pub(crate) fn keep(&self, error: PyErr) {
+        let note = format!("raised by {}", self.about);
+        // Python 3.10 has no notes.
+        let _ = Python::try_attach(|py| error.value(py).call_method1("add_note", (note,)).is_ok());
+        self.raised.keep(error);
     }
 }
 
@@ -96,7 +106,7 @@ impl<V: Axes> Stabilizer<V> for PythonStabilizer {
         match Python::try_attach(|py| Self::asked(py, object, sample, effort)) {
             Some(Ok(made)) => made,
             Some(Err(error)) => {
-                self.run.raised.keep(error);
+                self.run.keep(error);
                 rejected
             }
             None => rejected,

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyMapping;
 
 use super::columns::{Columns, Kinds};
-use super::run::in_f64;
+use super::run::{about, in_f64};
 use super::work::{Fault, Watched, wait_asking};
 use super::{Scene, Told};
 use crate::axes::Axes;
@@ -21,7 +21,8 @@ use crate::errors;
 /// An entrant written in Python: its name, and what makes it for a scene.
 type Own = (String, Arc<Py<PyAny>>);
 
-/// Stabilizers side by side on the same scenes, with the columns of docs/compare.md.
+/// Stabilizers side by side on the same scenes, with the columns of docs/compare.md. Of several scenes those that do not fit are left
+/// out, with the reasons in the JSON.
 #[pyfunction]
 #[pyo3(signature = (scenes, stabilizers=None, own=None, by=None, progress=None))]
 pub(crate) fn compare(
@@ -45,17 +46,23 @@ pub(crate) fn compare(
     let each = |scene: &Scene| (scene.scene.ticks() + 1) * (names.len() + entrants.len()) as u64;
     let total = scenes.iter().map(each).sum();
     wait_asking(py, progress, total, move |watched| {
-        let mut comparisons = Vec::new();
+        let (mut comparisons, mut left_out) = (Vec::new(), Vec::new());
         for scene in &scenes {
-            let mut one = compared(scene, &names, &entrants, watched)?;
-            if let Some(column) = column {
-                one.sort_by(column);
+            match compared(scene, &names, &entrants, watched) {
+                Ok(one) => comparisons.push(one),
+                Err(Fault::Input(reason)) if scenes.len() > 1 => left_out.push(reason),
+                Err(fault) => return Err(fault),
             }
-            comparisons.push(one);
+        }
+        if comparisons.is_empty() {
+            return Err(Fault::input(left_out.join("\n")));
+        }
+        if let Some(column) = column {
+            comparisons.iter_mut().for_each(|one| one.sort_by(column));
         }
         let text: Vec<String> = comparisons.iter().map(Comparison::to_string).collect();
         Ok(Told {
-            json: document(&comparisons, &[]),
+            json: document(&comparisons, &left_out),
             text: text.join("\n"),
             figures: comparisons.iter().map(|one| one.figure().to_svg()).collect(),
             columns: scored(&csv(&comparisons))?.into(),
@@ -96,9 +103,27 @@ fn makers(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own
                 make.get_type().name()?
             )));
         }
+        if !takes_one(&make)? {
+            return Err(PyTypeError::new_err(format!(
+                "own[{name:?}] takes no scene, and is called with that of each run; give lambda scene: …, or let it take the scene"
+            )));
+        }
         entrants.push((name, Arc::new(make.unbind())));
     }
     Ok(entrants)
+}
+
+/// Whether `make` may be called with one argument; one whose signature nobody knows may.
+fn takes_one(make: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let py = make.py();
+    let signature = py.import("inspect")?.call_method1("signature", (make,));
+    Ok(signature.is_err() || signature?.call_method1("bind", (py.None(),)).is_ok())
+}
+
+/// The heading of a column as words on an axis, with its unit.
+#[pyfunction]
+pub(crate) fn label_of(column: &str) -> PyResult<String> {
+    column.parse().map(Column::label).map_err(errors::input)
 }
 
 /// The columns of a table of scores, and of the names of scenes in front of it.
@@ -123,41 +148,52 @@ fn compared(
     if own.is_empty() {
         return in_space!(scene, V => meet(name, scene, Entrants::<V>::of(names.on(scene)), watched));
     }
-    in_f64(scene)?;
-    let run = Asker { raised: Raised::default(), stopped: watched.stop() };
+    in_f64(scene, name)?;
+    let raised = Raised::default();
+    let asker = |who: &str| Asker {
+        about: about(who, name),
+        raised: raised.clone(),
+        stopped: watched.stop(),
+    };
     let met = in_space_of!(f64, scene, V => {
-        meet(name, scene, entered::<V>(names, scene, own, &run), watched)
+        let entrants = Entrants::of(names.on(scene));
+        let entrants = own.iter().fold(entrants, |entrants, own| {
+            entered::<V>(entrants, own, name, asker(&own.0))
+        });
+        meet(name, scene, entrants, watched)
     });
-    run.raised.check()?;
+    raised.check()?;
     met
 }
 
+/// The entrants, and one of its own on the scene that reports call `on`.
 fn entered<V: Space + Axes>(
-    names: &StabilizerNames,
-    scene: &lab::Scene,
-    own: &[Own],
-    run: &Asker,
+    entrants: Entrants<V>,
+    (name, make): &Own,
+    on: &str,
+    run: Asker,
 ) -> Entrants<V> {
-    own.iter().fold(Entrants::of(names.on(scene)), |entrants, (name, make)| {
-        let (make, run) = (Arc::clone(make), run.clone());
-        entrants.with(name.clone(), move |_| Ok::<_, ParameterError>(fresh(&make, &run)))
+    let (make, on) = (Arc::clone(make), on.to_owned());
+    entrants.with(name.clone(), move |scene| {
+        let scene = Scene { scene: scene.clone(), name: on.clone() };
+        Ok::<_, ParameterError>(fresh(&make, scene, &run))
     })
 }
 
-/// A stabilizer of its own for a run.
-fn fresh(make: &Py<PyAny>, run: &Asker) -> PythonStabilizer {
+/// A stabilizer of its own for a run of the scene.
+fn fresh(make: &Py<PyAny>, scene: Scene, run: &Asker) -> PythonStabilizer {
     if run.is_over() {
         return PythonStabilizer::none(run.clone());
     }
     let made = Python::try_attach(|py| {
-        let made = make.bind(py).call0()?;
+        let made = make.bind(py).call1((scene,))?;
         PythonStabilizer::check(&made, "what own made")?;
         PythonStabilizer::of(&made, run.clone())
     });
     match made {
         Some(Ok(made)) => made,
         Some(Err(error)) => {
-            run.raised.keep(error);
+            run.keep(error);
             PythonStabilizer::none(run.clone())
         }
         None => PythonStabilizer::none(run.clone()),

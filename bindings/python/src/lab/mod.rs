@@ -11,6 +11,7 @@ pub(crate) mod observe;
 mod rows;
 pub(crate) mod run;
 mod scene;
+pub(crate) mod scenes;
 mod shard;
 mod tables;
 mod told;

@@ -1,6 +1,7 @@
 //! One run of a scene.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use lyapunov_lab::explain::Hint;
 use lyapunov_lab::family::StabilizerName;
@@ -79,10 +80,12 @@ fn told(
             })
         }
         By::Python(object) => {
-            in_f64(scene)?;
-            let run = Asker { raised: Raised::default(), stopped: watched.stop() };
+            in_f64(scene, name)?;
+            let who = Python::try_attach(|py| who(object.bind(py))).ok_or(Fault::Stopped)??;
+            let (raised, stopped) = (Raised::default(), watched.stop());
+            let run = Asker { about: about(&who, name), raised, stopped };
             let told = in_space_of!(f64, scene, V => {
-                drain(scene, name, foreign::<V>(scene, object, &run)?, rows, watched)
+                drain(scene, name, foreign::<V>(scene, object, who, &run)?, rows, watched)
             });
             run.raised.check()?;
             told
@@ -90,13 +93,18 @@ fn told(
     }
 }
 
-/// Checks that a stabilizer written in Python can run in `scene`.
-pub(super) fn in_f64(scene: &lab::Scene) -> Result<(), Fault> {
+/// The stabilizer `who` on the scene called `name`, for errors.
+pub(super) fn about(who: &str, name: &str) -> Arc<str> {
+    format!("the stabilizer {who} on the scene {name}").into()
+}
+
+/// Checks that a stabilizer written in Python can run in `scene`, called `name`.
+pub(super) fn in_f64(scene: &lab::Scene, name: &str) -> Result<(), Fault> {
     match scene.scalar {
         lab::Scalar::F64 => Ok(()),
-        lab::Scalar::F32 => Err(Fault::input(
-            "a stabilizer written in Python runs in f64\n  = leave `scalar` out of the scene",
-        )),
+        lab::Scalar::F32 => Err(Fault::input(format_args!(
+            "{name}: a stabilizer written in Python runs in f64\n  = leave `scalar` out of the scene"
+        ))),
     }
 }
 
@@ -104,14 +112,12 @@ pub(super) fn in_f64(scene: &lab::Scene) -> Result<(), Fault> {
 fn foreign<V: Space + Axes>(
     scene: &lab::Scene,
     object: &Py<PyAny>,
+    who: String,
     run: &Asker,
 ) -> Result<Rollout<V>, Fault> {
-    let made = Python::try_attach(|py| -> PyResult<_> {
-        let object = object.bind(py);
-        Ok((who(object)?, PythonStabilizer::of(object, run.clone())?))
-    });
-    let (name, made) = made.ok_or(Fault::Stopped)??;
-    Ok(Rollout::stabilized_by(scene, made).map_err(Fault::input)?.called(name))
+    let made = Python::try_attach(|py| PythonStabilizer::of(object.bind(py), run.clone()));
+    let made = made.ok_or(Fault::Stopped)??;
+    Ok(Rollout::stabilized_by(scene, made).map_err(Fault::input)?.called(who))
 }
 
 /// The name of an object in reports: a block with its numbers, or its class.

@@ -63,7 +63,7 @@ impl Scene {
         Self::read(py, text, name)
     }
 
-    /// One of the scenes that ship, as in `lyapunov scenes`.
+    /// One of the scenes that ship, which `lyapunov.scenes()` lists.
     #[staticmethod]
     fn shipped(py: Python<'_>, name: &str) -> PyResult<Self> {
         let text = text_of(name).map_err(errors::input)?;
@@ -96,6 +96,30 @@ impl Scene {
     #[getter]
     fn dimensions(&self) -> usize {
         self.scene.dimensions()
+    }
+
+    /// The mass that is sure to move with the port, kg: the device's, and the hand's where no link is between them.
+    #[getter]
+    fn mass(&self) -> f64 {
+        self.scene.port_mass()
+    }
+
+    /// The servo period, s.
+    #[getter]
+    fn period(&self) -> f64 {
+        self.scene.period()
+    }
+
+    /// The device's own damping, N·s/m.
+    #[getter]
+    fn damping(&self) -> f64 {
+        self.scene.device.damping.get()
+    }
+
+    /// Whole servo ticks by which a force acts late.
+    #[getter]
+    fn delay(&self) -> u32 {
+        self.scene.delay_ticks()
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {

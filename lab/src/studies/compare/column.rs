@@ -110,6 +110,17 @@ impl Column {
         matches!(self, Self::Stabilizer | Self::Verdict | Self::BrokeIt | Self::JudgedBy)
     }
 
+    /// The heading as words on an axis, with the unit behind a comma.
+    pub fn label(self) -> String {
+        let lines = match self {
+            Self::StiffnessPercent => "stiffness felt\n% of asked",
+            _ => self.lines(),
+        };
+        let (words, unit) = lines.rsplit_once('\n').unwrap_or((lines, ""));
+        let words = words.replace('\n', " ");
+        if unit.is_empty() { words } else { format!("{words}, {unit}") }
+    }
+
     /// The heading in the table.
     pub(crate) fn heading(self) -> Heading {
         match self.is_words() {
