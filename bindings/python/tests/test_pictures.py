@@ -48,6 +48,8 @@ def test_a_map_names_its_axes_and_stabilizers():
     assert sweep.plot().get_xlabel() == field.plot().get_xlabel() == f"{key}, N/m"
     assert field.plot().get_ylabel() == "device.mass, kg"
     assert field.plot(stabilizer="popc").get_title() == "popc"
+    # Who is not drawn is named.
+    assert field.plot().get_title() == "none; stabilizer= draws popc"
     with pytest.raises(ly.InputError, match="`tank` is not in this map\n  = the names are: none, popc"):
         field.plot(stabilizer="tank")
 
@@ -78,6 +80,12 @@ def test_a_comparison_says_why_a_bar_is_missing():
     told = ly.compare(ly.Scene.shipped("paper-50k-none"), stabilizers="none,popc")
     ax = told.plot()
     assert [text.get_text() for text in ax.texts] == ["grows"] and ax.get_ylim() == (1.5, -0.5)
+    assert ax.get_xlabel() == "settled, s"
+    assert told.plot(column="peak_force_short_contact_n").get_xlabel() == "peak in contacts < 0.5 s, N"
+    # Judged by speed nothing settles in a place.
+    free = {**SCENE.to_dict(), "operator": {"mass": 0.1}}
+    label = ly.compare(free, stabilizers="none,popc").plot().get_xlabel()
+    assert label == "settled, s: no row has one, column= draws another"
 
 
 def test_limits_draw_one_and_the_scene():
@@ -101,6 +109,9 @@ def test_an_explanation_draws_each_stretch_apart():
     given = sum(1 for part, it in zip(told.table["part"], told.table["given_j"]) if it != 0.0)
     assert len(ax.containers) == len(set(told.table["stretch"])) == 2
     assert sum(1 for bar in ax.patches if bar.get_width() != 0.0) == given
+    # In mJ, as the text.
+    assert ax.get_xlabel() == "energy given, mJ"
+    assert max(abs(bar.get_width()) for bar in ax.patches) == pytest.approx(1e3 * np.abs(told.table["given_j"]).max())
 
 
 def test_a_log_draws_its_contacts_over_time():

@@ -35,7 +35,7 @@ def run(ax: matplotlib.axes.Axes, table: dict[str, Column]) -> None:
         ax.legend()
 
 
-def bars(ax: matplotlib.axes.Axes, table: dict[str, Column], column: str) -> None:
+def bars(ax: matplotlib.axes.Axes, table: dict[str, Column], column: str, label: str) -> None:
     """A column of numbers, a bar for each stabilizer on each scene; where there is none, the verdict."""
     scenes, names = table["scene"], list(table["stabilizer"])
     if len(set(scenes)) > 1:
@@ -50,7 +50,8 @@ def bars(ax: matplotlib.axes.Axes, table: dict[str, Column], column: str) -> Non
     if not np.isfinite(numbers).any():
         ax.set_xlim(0, 1)
         ax.set_xticks([])
-    ax.set_xlabel(column)
+        label = f"{label}: no row has one, column= draws another"
+    ax.set_xlabel(label)
 
 
 def field(ax: matplotlib.axes.Axes, table: dict[str, Column], axes: list[dict[str, Any]], stabilizer: str) -> None:
@@ -105,16 +106,16 @@ def energies(ax: matplotlib.axes.Axes, table: dict[str, Column]) -> None:
     given = np.asarray(table["given_j"])
     # Most scenes have few of the parts.
     parts = [part for part in parts if any(it for name, it in zip(table["part"], given) if name == part)]
-    factor, unit = _prefix(given)
     height = 0.8 / max(1, len(stretches))
     for place, stretch in enumerate(stretches):
         rows = [row for row, it in enumerate(table["stretch"]) if it == stretch and table["part"][row] in parts]
         at = [parts.index(table["part"][row]) + height * (place - (len(stretches) - 1) / 2) for row in rows]
-        ax.barh(at, factor * given[rows], height, label=stretch)
+        ax.barh(at, 1e3 * given[rows], height, label=stretch)
     ax.set_yticks(range(len(parts)), [str(part) for part in parts])
     ax.set_ylim(len(parts) - 0.5, -0.5)
     ax.axvline(0.0, color="black", linewidth=0.8)
-    ax.set_xlabel(f"energy given, {unit}J")
+    # As in the text.
+    ax.set_xlabel("energy given, mJ")
     if len(stretches) > 1:
         ax.legend()
 

@@ -179,13 +179,18 @@ class Run(Result):
 class Comparison(Result):
     """Stabilizers on scenes. The table has a row for each stabilizer on each scene, with the columns of docs/compare.md."""
 
+    @property
+    def left_out(self) -> list[str]:
+        """Why scenes were left out, a reason for each."""
+        return list(self.document.get("left_out", []))
+
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, column: str = "settling_time_s") -> matplotlib.axes.Axes:
         """Draws a column of numbers as bars, one for each stabilizer on each scene."""
         of_numbers = [name for name, it in self.table.items() if not isinstance(it, list)]
         if column not in of_numbers:
             raise InputError(f"no column of numbers is called `{column}`\n  = they are: {', '.join(of_numbers)}")
         ax = _axes(ax, len(self.table[column]))
-        plots.bars(ax, self.table, column)
+        plots.bars(ax, self.table, column, _lyapunov.label_of(column))
         return ax
 
 
@@ -193,7 +198,8 @@ class Map(Result):
     """A map or a sweep. The table has a row for each cell and stabilizer."""
 
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, stabilizer: str | None = None) -> matplotlib.axes.Axes:
-        """Draws the verdicts: over two numbers a field under a stabilizer, the first by default, over one a row for each of them."""
+        """Draws the verdicts: over two numbers a field under a stabilizer, the first by default with the others named, over one a row
+        for each of them."""
         if not self.table:
             raise InputError("this map has more rows than its table may have\n  = draw from map.csv; the figures in `svg` are there all the same")
         known = list(dict.fromkeys(str(name) for name in self.table["stabilizer"]))
@@ -206,6 +212,8 @@ class Map(Result):
         else:
             plots.field(ax, self.table, [x, y], known[0] if stabilizer is None else stabilizer)
             ax.set_ylabel(_label(y))
+            if stabilizer is None and len(known) > 1:
+                ax.set_title(f"{known[0]}; stabilizer= draws {', '.join(known[1:])}")
         ax.set_xlabel(_label(x))
         return ax
 
