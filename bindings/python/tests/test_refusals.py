@@ -75,6 +75,30 @@ def test_a_share_of_an_ensemble_is_named(name, share):
         ly.ensemble(TABLES, 2, **{name: share})
 
 
+class Mine:
+    def stabilize(self, sample, effort):
+        return ly.Correction(effort)
+
+
+@pytest.mark.parametrize(
+    "what, call",
+    [
+        ("tune takes no own", lambda: ly.tune(TABLES, own={"mine": Mine})),
+        ("map takes no own", lambda: ly.map(TABLES, "device.mass=0.1..0.2:2", own={"mine": Mine})),
+        ("ensemble takes no own", lambda: ly.ensemble(TABLES, 2, own={"mine": Mine})),
+        ("stabilizer is Mine", lambda: ly.ensemble(TABLES, 2, stabilizer=Mine())),
+        ("stabilizers is Mine", lambda: ly.tune(TABLES, stabilizers=Mine())),
+        ("stabilizers holds Mine", lambda: ly.map(TABLES, "device.mass=0.1..0.2:2", stabilizers=["none", Mine()])),
+        ("stabilizers is Mine", lambda: ly.compare(TABLES, stabilizers=Mine())),
+        ("stabilizers holds Stabilizer", lambda: ly.observe(LOG, stabilizers=[ly.Stabilizer("none")], scene=TABLES)),
+    ],
+)
+def test_where_no_stabilizer_in_python_runs_says_where_one_does(what, call):
+    where = r"its stabilizers are names of .* = an object, as one written in Python, runs in run\(.*compare\("
+    with pytest.raises(TypeError, match=f"(?s)^{what}; {where}"):
+        call()
+
+
 def test_what_is_no_scene_says_what_it_is():
     with pytest.raises(ly.InputError, match="^`device.mass` is None, which no scene holds\n  = leave the key out"):
         ly.run({**TABLES, "device": {"mass": None}})
@@ -103,6 +127,16 @@ def test_a_fault_of_a_scene_begins_with_its_place():
     with pytest.raises(ly.SceneError) as told:
         ly.Scene({**TABLES, "servo_rate": -1.0}, name="mine")
     assert str(told.value).startswith("mine:")
+
+
+@pytest.mark.parametrize("stem", ["paper-50k-none", "a-scene-of-which-nobody-knows"])
+def test_a_shipped_scene_is_no_path(stem, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ly.SceneError) as told:
+        ly.run(stem)
+    shipped = f'`lyapunov.Scene.shipped("{stem}")` is the shipped scene of that name'
+    assert (shipped in told.value.remedies[0]) == (stem in ly.scenes()) and "python -m" not in str(told.value)
+    assert (shipped in " ".join(str(told.value).split())) == (stem in ly.scenes())
 
 
 LOG = {"t": [0.0, 1.0], "x": [0.0, 0.0], "f": [0.0, 0.0]}
@@ -226,7 +260,7 @@ def test_what_are_no_names_is_told_as_such(call):
         call([])
     with pytest.raises(TypeError, match="^stabilizers is int; give a str, or a list of them"):
         call(3)
-    for wrong, kind in ((1, "int"), (None, "NoneType"), (ly.Stabilizer("none"), "Stabilizer")):
+    for wrong, kind in ((1, "int"), (None, "NoneType")):
         with pytest.raises(TypeError, match=rf"^stabilizers holds .*, of the type {kind}; give a str, or a list of them"):
             call(["popc", wrong])
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Protocol, Union
+from functools import wraps
+from typing import TYPE_CHECKING, Any, ParamSpec, Protocol, TypeVar, Union
 
 from lyapunov import _lyapunov, logs
 from lyapunov._lyapunov import InputError, Scene
@@ -32,11 +34,24 @@ Progress = Union[bool, Callable[[int, int], object], None]
 """Whether a bar is shown, or what is called with (done, total) now and then; None: a bar in notebooks and terminals."""
 
 
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+BY_NAME = """its stabilizers are names of docs/family.md
+  = an object, as one written in Python, runs in run(scene, stabilizer=it) and in compare(*scenes, own={"mine": lambda scene: it}), over
+    as many scenes as you make; one in Rust takes part in every study: docs/own-stabilizer.md"""
+"""What is said of an object where stabilizers are named."""
+
+
 class StabilizerLike(Protocol):
     """A stabilizer written in Python. It is called on every tick, so it is about a hundred times slower than one in Rust."""
 
     def stabilize(self, sample: Sample, effort: Any) -> Correction:
-        """The correction of `effort`, N, with which a controller answers `sample`."""
+        """The correction of `effort`, N, with which a controller answers `sample`.
+
+        Reports have the shares of active ticks and the energies of its `alpha`, `observed_energy` and `shortfall`. What is 0 on every
+        tick was not told, and is None in reports.
+        """
         ...
 
 
@@ -46,7 +61,21 @@ def _scene(source: SceneLike) -> Scene:
     return Scene(dict(source) if isinstance(source, Mapping) else source)
 
 
+def _by_name(study: Callable[_P, _R]) -> Callable[_P, _R]:
+    """The study, which takes stabilizers by name alone, and says so where it is given `own`."""
+
+    @wraps(study)
+    def called(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+        if "own" in kwargs:
+            raise TypeError(f"{study.__name__} takes no own; {BY_NAME}")
+        return study(*args, **kwargs)
+
+    return called
+
+
 def _names(argument: str, given: str | Iterable[str] | None) -> str | None:
+    if hasattr(given, "stabilize"):
+        raise TypeError(f"{argument} is {type(given).__name__}; {BY_NAME}")
     if given is None or isinstance(given, str):
         return given
     words = _words(argument, given)
@@ -62,6 +91,8 @@ def _words(argument: str, given: Iterable[str]) -> list[str]:
     except TypeError:
         raise TypeError(f"{argument} is {type(given).__name__}; give a str, or a list of them") from None
     for word in words:
+        if hasattr(word, "stabilize"):
+            raise TypeError(f"{argument} holds {type(word).__name__}; {BY_NAME}")
         if not isinstance(word, str):
             raise TypeError(f"{argument} holds {word!r}, of the type {type(word).__name__}; give a str, or a list of them")
     return words
@@ -72,7 +103,7 @@ def _scales(given: str | Iterable[str] | Mapping[str, float] | None) -> list[str
         return [f"{name}={_factor(name, factor)!r}" for name, factor in given.items()]
     if not isinstance(given, str):
         return [] if given is None else _words("scale", given)
-    return [given]
+    return given.split(",")
 
 
 def _factor(name: str, given: float) -> float:
@@ -102,20 +133,25 @@ def run(
 def compare(
     *scenes: SceneLike,
     stabilizers: str | Iterable[str] | None = None,
-    own: Mapping[str, Callable[[], StabilizerLike]] | None = None,
+    own: Mapping[str, Callable[[Scene], StabilizerLike]] | None = None,
     by: str | None = None,
     progress: Progress = None,
 ) -> Comparison:
     """Which stabilizer does best on these scenes, with the columns of docs/compare.md.
 
-    `stabilizers` are names of docs/family.md, or "all"; `own` makes stabilizers written in Python, a fresh one for each run,
-    by their names. `by` sorts by a column, such as "settling_time_s".
+    `stabilizers` are names of docs/family.md, or "all"; `own` makes stabilizers written in Python by their names: each is called with
+    the scene for each run, as in `own={"mine": lambda scene: Mine(damping_limit(scene.mass, scene.period, delay=scene.delay))}`.
+    `by` sorts by a column, such as "settling_time_s". Of several scenes one that does not fit is left out with a warning.
     """
     read = [_scene(scene) for scene in scenes]
     with shown(progress, "compare") as bar:
-        return Comparison(_lyapunov.compare(read, _names("stabilizers", stabilizers), own, by, bar))
+        told = Comparison(_lyapunov.compare(read, _names("stabilizers", stabilizers), own, by, bar))
+    for reason in told.left_out:
+        warnings.warn(f"left out: {reason}", stacklevel=2)
+    return told
 
 
+@_by_name
 def map(  # noqa: A001
     scene: SceneLike,
     x: str,
@@ -136,6 +172,7 @@ def map(  # noqa: A001
         return Map(_lyapunov.map(_scene(scene), x, y, names, threads, bar))
 
 
+@_by_name
 def ensemble(
     scene: SceneLike,
     members: int,
@@ -156,7 +193,7 @@ def ensemble(
     """
     with shown(progress, "ensemble") as bar:
         told = _lyapunov.ensemble(
-            _scene(scene), 0, members, seed, stabilizer, phase, mass, damping, stiffness, bar
+            _scene(scene), 0, members, seed, _names("stabilizer", stabilizer), phase, mass, damping, stiffness, bar
         )
     return Ensemble(told.columns())
 
@@ -194,11 +231,11 @@ def observe(
     """When a recorded device generated energy, how much and in which contact.
 
     `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]" or a list; or a table in memory: a
-    dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI, as in
-    "x=1e-3", several in a list, or {"x": 1e-3}. `candidate` is "spring", "device-damping" with `damping`, N·s/m, or
-    "mass-spring-damper" with `surface`, m, too. `contact`, N, is the force above which there is contact. With `stabilizers` and
-    the `scene` that sets their numbers, what they would have done on the recorded motion. `late` is by how many rows the force acts
-    later than its own.
+    dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI by the
+    letters t, x, f and v, whatever the log calls its columns: {"x": 1e-3}, "x=1e-3,f=-1" or a list. `candidate` is "spring",
+    "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m, too. `contact`, N, is the force above which there
+    is contact. With `stabilizers` and the `scene` that sets their numbers, what they would have done on the recorded motion. `late` is by
+    how many rows the force acts later than its own.
     """
     named = _names("columns", columns)
     with shown(progress, "observe") as bar:
@@ -218,6 +255,7 @@ def observe(
     return Observation(told)
 
 
+@_by_name
 def tune(
     scene: SceneLike,
     *,

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from lyapunov import _lyapunov
 from lyapunov._lyapunov import InputError, Scene
-from lyapunov.lab import Progress, SceneLike, _names, _scene
+from lyapunov.lab import Progress, SceneLike, _by_name, _names, _scene
 from lyapunov.progress import shown
 from lyapunov.results import Ensemble, Map, _asked_for
 
@@ -41,6 +41,7 @@ RETRIES = 100
 """Times that a shard is begun again whose worker or node was lost."""
 
 
+@_by_name
 def map(  # noqa: A001
     scene: SceneLike,
     x: str,
@@ -93,6 +94,7 @@ def map(  # noqa: A001
     return Map(told)
 
 
+@_by_name
 def ensemble(
     scene: SceneLike,
     members: int,
