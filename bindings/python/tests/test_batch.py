@@ -244,3 +244,7 @@ def test_an_array_of_one_number_is_one_loop():
     assert ly.closed_loop(3, 1e-3, mass=np.ones(3), wall_stiffness=np.array(1.0))["largest"].shape == (3,)
     with pytest.raises(TypeError, match="^mass is an array of int64; give an array of float64"):
         ly.closed_loop(3, 1e-3, mass=np.ones(1, dtype=np.int64), wall_stiffness=1.0)
+
+
+def test_a_closed_loop_says_what_it_leaves_out():
+    assert "no delay, encoder, saturation or other effect" in ly.closed_loop.__doc__

@@ -2,6 +2,7 @@
 
 import subprocess
 import sys
+from pathlib import Path
 
 import lyapunov as ly
 import numpy as np
@@ -95,3 +96,13 @@ def test_the_table_of_a_replay_is_shown_as_one():
     told = ly.observe(log, stabilizers="popc", scene=ly.Scene(TABLES)).replay
     assert repr(told).startswith("<Table: stabilizer, ") and "<td>popc</td>" in told._repr_html_()
     assert repr(ly.observe(log).replay) == "<Table: >" and "Table" in ly.observe(log).replay._repr_html_()
+
+
+RESULTS = [ly.Run, ly.Comparison, ly.Map, ly.Bound, ly.Explanation, ly.Accuracy, ly.Tuning, ly.Observation, ly.Ensemble]
+
+
+@pytest.mark.parametrize("kind", RESULTS)
+def test_the_page_has_what_a_result_has(kind):
+    page = (Path(__file__).parents[3] / "docs" / "python.md").read_text()
+    missing = [name for name in dir(kind) if not name.startswith("_") and f"`{name}" not in page]
+    assert not missing

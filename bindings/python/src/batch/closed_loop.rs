@@ -18,13 +18,12 @@ use crate::whole;
 /// Simulates closed loops: a mass with damping on a hand's spring, moved exactly, against a one-sided wall that is sampled and
 /// held, with a stabilizer at the servo's rate. Returns float64 arrays of shape (loops,) by name: `position`, m, and
 /// `velocity`, m/s, at the end, `observed_energy`, J, that at the wall's port before the last tick's correction, without a
-/// stabilizer too, and `largest`, the largest |position| from
-/// half of the ticks on to the end, both counted, m.
+/// stabilizer too, and `largest`, the largest |position| from half of the ticks on to the end, both counted, m.
 ///
 /// `mass`, kg, `damping`, N·s/m, and `stiffness`, N/m, of hand and device together, the hand resting at 0; `position`, m, and
 /// `velocity`, m/s, at the start; `wall_stiffness`, N/m, `wall_damping`, N·s/m, and `wall_position`, m: each a float, or a
 /// float64 array of shape (loops,), contiguous. `period`, s, and `ticks` are the same for all, and so is `stabilizer`, of which every
-/// loop has a fresh copy.
+/// loop has a fresh copy. There is no delay, encoder, saturation or other effect: `ensemble` and `map` run scenes with them.
 #[pyfunction]
 #[pyo3(signature = (ticks, period, *, mass, wall_stiffness, damping=None, stiffness=None, position=None, velocity=None,
     wall_damping=None, wall_position=None, stabilizer=None))]
