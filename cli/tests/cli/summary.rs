@@ -18,7 +18,7 @@ fn the_summary_has_one_form() {
     assert_eq!(lines[0], "scene.toml");
     assert_eq!(lines[1], "  run          10 s at 100 Hz");
     assert_eq!(lines[2], "  wall         8000 N/m, 2 N.s/m");
-    let stabilizer = "LOLC: mass-spring-damper, held work, damping cap 0.5 m / T";
+    let stabilizer = "LOLC: mass-spring-damper, held work, damping cap 0.5 m / T, 15 N.s/m";
     assert_eq!(lines[3], format!("  stabilizer   {stabilizer}"));
     let rest = ["verdict", "peak force", "energy", "observed", "controller"];
     assert_eq!(lines.len(), 4 + rest.len(), "{}", said.out);
