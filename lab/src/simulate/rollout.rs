@@ -85,7 +85,7 @@ impl<V: Space> Rollout<V> {
         let assembly = Assembly::watched(scenes, &seen, fitted)?;
         let scene = scenes.common();
         let (rate, last, truth) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
-        let stabilizing = Stabilizing::foreign::<Fitted<V>>();
+        let stabilizing = Stabilizing::Foreign("Fitted".into());
         Ok(Self { stabilizing, rate, number: 0, last, assembly, seen, truth })
     }
 
