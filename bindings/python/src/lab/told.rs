@@ -15,10 +15,10 @@ use crate::words;
 #[pyclass(module = "lyapunov._lyapunov", frozen)]
 #[derive(Debug, Default)]
 pub(crate) struct Told {
-    /// What the command prints with --json.
+    /// The output of the command with --json.
     #[pyo3(get)]
     pub(crate) json: String,
-    /// What the command prints, in its own words.
+    /// The output of the command, in its own words.
     pub(crate) text: String,
     /// The figures that the command draws with --out, as SVG.
     #[pyo3(get)]
@@ -68,7 +68,7 @@ impl Held {
 
 #[pymethods]
 impl Told {
-    /// What the command prints, in the words of Python.
+    /// The output of the command, in the words of Python.
     #[getter]
     fn text(&self) -> String {
         words::of_python(&self.text)

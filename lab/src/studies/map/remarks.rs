@@ -17,7 +17,7 @@ fn saturated(scene: &Scene) -> Option<String> {
     })
 }
 
-/// What one count of the encoder is as a velocity, where an axis changes the length of a tick.
+/// One count of the encoder as a velocity, where an axis changes the length of a tick.
 fn in_counts(scene: &Scene, axes: &[&Axis]) -> Option<String> {
     let rate = axes.iter().find(|axis| axis.key == "servo_rate")?;
     let count = scene.effects.encoder?.resolution.get();
@@ -30,7 +30,7 @@ fn in_counts(scene: &Scene, axes: &[&Axis]) -> Option<String> {
     })
 }
 
-/// What is counted in ticks, where an axis changes their length.
+/// Numbers that count ticks, where an axis changes the length of one.
 fn in_ticks(scene: &Scene, axes: &[&Axis]) -> Option<String> {
     let rate = axes.iter().find(|axis| axis.key == "servo_rate")?;
     let varied = |key: &str| axes.iter().any(|axis| axis.key == key);
