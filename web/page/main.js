@@ -254,7 +254,7 @@ function hear({ data }) {
   if (data.kind === "map") map.hear(data);
   if (data.kind !== "explain") return;
   if (data.refused) $("why-said").textContent = data.refused;
-  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, bounding(), remedy);
+  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, bounding, remedy);
 }
 
 function start(preset) {

@@ -111,7 +111,7 @@ export class StabilityMap {
   send() {
     const [x, y] = this.sliders.map(axis);
     const command = `lyapunov map scene.toml --x ${x} --y ${y} --stabilizers ${this.under.value} --out map`;
-    const why = "The page does not map this scene, only walls without delay, encoder and other effects. Download it below, then: ";
+    const why = "The page does not map this scene: it maps a hand and a device before a wall, and nothing more. Download it below, then: ";
     this.fail(why, made("code", {}, command));
   }
 

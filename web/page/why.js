@@ -15,17 +15,24 @@ export const written = (set) => Object.entries(set).map(([key, it]) => `${key} =
 
 const said = (text) => `${text.replace(/^./, (first) => first.toUpperCase())}.`;
 
-/** The sentence on a run, where the hint of the command has none; `most` is the largest force, where the run grows without it. */
-function sentence(hint, { verdict, spectral_radius: radius, first_contact: first, whole_run: whole }, most) {
-  if (hint) return said(hint);
+/** What holds a run whose loop is not stable; `bounding` tells the largest force, where the run grows without it. */
+function but({ first_contact: first, whole_run: whole }, bounding) {
+  const most = bounding();
   const alone = !first || first.to_s < whole.to_s ? "this run does not stay in contact" : "yet this run does not grow";
-  const but = most ? `the largest force of ${digits(most)} N bounds it` : whole.controller ? "the stabilizer holds it" : alone;
-  const linear = radius === null ? "" : radius < 1 ? " The loop alone is stable in contact." : ` The loop alone is not stable in contact; ${but}.`;
+  return most ? `the largest force of ${digits(most)} N bounds it` : whole.controller ? "the stabilizer holds it" : alone;
+}
+
+/** The sentence on a run, where the hint of the command has none. */
+function sentence(hint, told, bounding) {
+  if (hint) return said(hint);
+  const { verdict, spectral_radius: radius } = told;
+  const end = radius < 1 || verdict === "too short" ? "" : `; ${but(told, bounding)}`;
+  const linear = radius === null ? "" : ` The loop alone is ${radius < 1 ? "" : "not "}stable in contact${end}.`;
   return { settles: "It comes to rest.", swinging: "It stays bounded and does not come to rest.", "too short": "The run is too short to judge." }[verdict] + linear;
 }
 
-export function tell(parts, { name, sentence: hint, rows, told }, most, take) {
-  parts.said.textContent = sentence(hint, told, most);
+export function tell(parts, { name, sentence: hint, rows, told }, bounding, take) {
+  parts.said.textContent = sentence(hint, told, bounding);
   const { first_contact: first, whole_run: whole } = told;
   const table = parts.energies;
   table.replaceChildren();

@@ -122,6 +122,14 @@ operator = { mass = 0.1, damping = 1, stiffness = 300, rest = 0.003${hand} }\nen
   }
 }
 
+/** Of a run that is too short nothing is said about what bounds it. */
+async function unjudged(page) {
+  const text = "servo_rate = 1000\nduration = 0.008\ninitial = { position = 1e-4 }\ndevice = { mass = 0.2, damping = 0.1 }\nenvironment.wall.stiffness = 40000\n";
+  await drop(page, [["short.toml", text]]);
+  const said = "The run is too short to judge. The loop alone is not stable in contact.";
+  await page.until(`document.querySelector('#why-said').textContent === ${JSON.stringify(said)}`);
+}
+
 /** The explanation that the page shows is the one of `explain`; a remedy's button does what it says. */
 export async function reasons(browser) {
   const page = await opened(browser);
@@ -144,6 +152,7 @@ export async function reasons(browser) {
   const note = lyapunov("run", path).replace(/\s+/g, " ").split(" note ")[1].trim();
   assert.equal((await page.value("document.querySelector('#why-said').textContent")).toLowerCase(), `${note.toLowerCase()}.`);
   await bounded(page);
+  await unjudged(page);
   const coarse = 'servo_rate = 1000\nduration = 2\nintegrator = "semi-implicit-euler"\ndevice = { mass = 0.2, damping = 3 }\n[environment.wall]\nstiffness = 2000\n[initial]\nposition = -0.01\nvelocity = 0.2\n';
   writeFileSync(path, coarse);
   await drop(page, [["coarse.toml", coarse]]);

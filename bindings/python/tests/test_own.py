@@ -125,7 +125,7 @@ def test_a_force_that_is_no_number_is_told_as_such(scene, axes):
         ({"mine": Damper()}, r"^own\[\"mine\"\] is Damper, which cannot be called"),
         ({"mine": lambda scene: None}, "^what own made is NoneType; give"),
         ({"mine": lambda scene: Damper}, "^what own made is the class Damper; give an object of it"),
-        ({"mine": Damper}, r"^own\[\"mine\"\] takes no scene, and is called with that of each run; give lambda scene: "),
+        ({"mine": Damper}, r"^own\[\"mine\"\] cannot be called with one argument, the scene of each run; give lambda scene: "),
         ({"mine": lambda scene: Bare()}, r"^stabilize\(sample, effort\) returned float; return a Correction"),
     ],
 )

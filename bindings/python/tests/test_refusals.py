@@ -88,15 +88,21 @@ class Mine:
         ("ensemble takes no own", lambda: ly.ensemble(TABLES, 2, own={"mine": Mine})),
         ("stabilizer is Mine", lambda: ly.ensemble(TABLES, 2, stabilizer=Mine())),
         ("stabilizers is Mine", lambda: ly.tune(TABLES, stabilizers=Mine())),
+        ("observe takes no own", lambda: ly.observe(LOG, own={"mine": Mine})),
         ("stabilizers holds Mine", lambda: ly.map(TABLES, "device.mass=0.1..0.2:2", stabilizers=["none", Mine()])),
         ("stabilizers is Mine", lambda: ly.compare(TABLES, stabilizers=Mine())),
         ("stabilizers holds Stabilizer", lambda: ly.observe(LOG, stabilizers=[ly.Stabilizer("none")], scene=TABLES)),
     ],
 )
 def test_where_no_stabilizer_in_python_runs_says_where_one_does(what, call):
-    where = r"its stabilizers are names of .* = an object, as one written in Python, runs in run\(.*compare\("
+    where = r"this study takes names of .* = an object, as one written in Python, runs in run\(.*compare\("
     with pytest.raises(TypeError, match=f"(?s)^{what}; {where}"):
         call()
+
+
+def test_an_ensemble_runs_under_one_stabilizer():
+    with pytest.raises(TypeError, match="^stabilizer is list; give one name, a str$"):
+        ly.ensemble(TABLES, 2, stabilizer=["popc", "lolc"])
 
 
 def test_what_is_no_scene_says_what_it_is():

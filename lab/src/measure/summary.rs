@@ -191,7 +191,7 @@ impl Summary {
         self.signs.finish(&self.scene)
     }
 
-    /// Share of ticks with damping, %; none under a law that adds no damping, and under one whose damping is no `α`, or untold.
+    /// Share of ticks with damping, %; none under a stabilizer that adds no damping, and where its damping is no `α`, or is not told.
     pub fn active_percent(&self) -> Option<f64> {
         self.reports_damping().then(|| 100.0 * self.active as f64 / self.rows.max(1) as f64)
     }
@@ -220,9 +220,10 @@ impl Summary {
         self.active > 0 || !self.corrected
     }
 
-    /// Whether any correction told an observed energy or a shortfall.
+    /// Whether any correction told an observed energy or a shortfall. Without a force there is none to tell.
     pub(crate) fn tells_debt(&self) -> bool {
-        [self.observed_energy_least, self.observed_energy_most, self.shortfall] != [0.0; 3]
+        let told = [self.observed_energy_least, self.observed_energy_most, self.shortfall];
+        told != [0.0; 3] || !self.acts()
     }
 
     /// Whether any force acted on the plant.

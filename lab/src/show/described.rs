@@ -29,8 +29,9 @@ pub(crate) fn stabilizer(scene: &Scene, stabilizing: &Stabilizing) -> String {
             true => "no damping cap".to_owned(),
             false => {
                 let share = scene.written_cap().map_or_else(|| found(cap), given);
-                let limit = scene.damping(cap).limit::<f64>().map_or(f64::NAN, DampingLimit::most);
-                format!("damping cap {share} m / T, {} N.s/m", found(limit))
+                let limit = scene.damping(cap).limit::<f64>().ok().map(DampingLimit::most);
+                let limit = limit.map_or_else(String::new, |it| format!(", {} N.s/m", found(it)));
+                format!("damping cap {share} m / T{limit}")
             }
         };
         format!("  stabilizer   {booking}, {cap}")

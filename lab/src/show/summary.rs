@@ -59,7 +59,7 @@ struct Observed<'a> {
     /// The name of a stabilizer of the caller's, whose table no scene has.
     #[serde(skip_serializing_if = "Option::is_none")]
     own: Option<&'a str>,
-    /// None of a stabilizer of the caller's that tells neither observed energy nor shortfall, as the shortfall.
+    /// None where a stabilizer of the caller's tells neither observed energy nor shortfall, and so the shortfall.
     observed_energy_least_mj: Option<f64>,
     observed_energy_most_mj: Option<f64>,
     observed_energy_end_mj: Option<f64>,
@@ -189,16 +189,17 @@ impl Summary {
 
     fn write_stabilizer(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let last = self.last.map_or(0.0, |row| row.observed_energy);
-        match self.reports_debt() {
-            true => write!(
-                f,
-                "\n  observed     energy from {} to {} mJ, at the end {} mJ",
-                found(MILLI * self.observed_energy_least),
-                found(MILLI * self.observed_energy_most),
-                found(MILLI * last)
-            )?,
-            false => write!(f, "\n  observed     energy and shortfall: it tells none")?,
-        }
+        let energies =
+            [self.observed_energy_least, self.observed_energy_most, last, self.shortfall];
+        let [least, most, last, shortfall] = energies.map(|it| found(MILLI * it));
+        let (observed, short) = match self.reports_debt() {
+            true => (
+                format!("energy from {least} to {most} mJ, at the end {last} mJ"),
+                format!(", shortfall up to {shortfall} mJ"),
+            ),
+            false => ("energy and shortfall: it tells none".to_owned(), String::new()),
+        };
+        write!(f, "\n  observed     {observed}")?;
         let did = match (self.active_percent(), self.millijoules_asked(), &self.stabilizing) {
             (Some(share), Some(asked), _) => {
                 format!("active on {share:.1} % of ticks, {} mJ asked for", found(asked))
@@ -209,11 +210,7 @@ impl Summary {
             (.., Stabilizing::Foreign(_)) => "changes the force and tells no alpha".to_owned(),
             _ => "cuts the force and adds no damping".to_owned(),
         };
-        write!(f, "\n  controller   {did}")?;
-        match self.reports_debt() {
-            true => write!(f, ", shortfall up to {} mJ", found(MILLI * self.shortfall)),
-            false => Ok(()),
-        }
+        write!(f, "\n  controller   {did}{short}")
     }
 }
 

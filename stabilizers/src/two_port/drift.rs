@@ -14,10 +14,10 @@ use crate::account::lends;
 ///
 /// The drift is the sum of the corrections, `δ(n) = Σ (v_out − v) T`. On each tick the velocity `u = −δ / T`, at
 /// most `speed` on each axis, is added, as far as there is energy for it: what it gives away over the next period,
-/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit `C` at most; of a `u` that would give more, the share `C` over that
-/// energy is added, and where there is no credit only what absorbs. The impedance `z` is [what the port meets](Self::meeting): a force that answers a velocity within
-/// the period gives energy that the last force does not show, and without it compensation makes debts. A speed of 0
-/// changes no bit.
+/// `(−u · f + z |u| (|v_out| + |u|)) T`, may be the credit `C` at most; of a `u` that would give more, the share `C` over
+/// that energy is added, and where there is no credit only what absorbs. The impedance `z` is [what the port
+/// meets](Self::meeting): a force that answers a velocity within the period gives energy that the last force does not
+/// show, and without it compensation makes debts. A speed of 0 changes no bit.
 ///
 /// ```text
 /// C = max(0, L)                            sampled work, in which L has the power of v_out already

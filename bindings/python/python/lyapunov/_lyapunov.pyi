@@ -80,7 +80,7 @@ class Sample:
 
 @final
 class Correction:
-    """What a stabilizer makes of an effort; what is left out is 0, and reports take it as untold where it always is."""
+    """What a stabilizer makes of an effort; what is left out is 0, and untold: see docs/python.md."""
 
     def __new__(
         cls,

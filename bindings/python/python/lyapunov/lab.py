@@ -37,7 +37,7 @@ Progress = Union[bool, Callable[[int, int], object], None]
 _P = ParamSpec("_P")
 _R = TypeVar("_R")
 
-BY_NAME = """its stabilizers are names of docs/family.md
+BY_NAME = """this study takes names of docs/family.md
   = an object, as one written in Python, runs in run(scene, stabilizer=it) and in compare(*scenes, own={"mine": lambda scene: it}), over
     as many scenes as you make; one in Rust takes part in every study: docs/own-stabilizer.md"""
 """What is said of an object where stabilizers are named."""
@@ -49,8 +49,8 @@ class StabilizerLike(Protocol):
     def stabilize(self, sample: Sample, effort: Any) -> Correction:
         """The correction of `effort`, N, with which a controller answers `sample`.
 
-        Reports have the shares of active ticks and the energies of its `alpha`, `observed_energy` and `shortfall`. What is 0 on every
-        tick was not told, and is None in reports.
+        Reports have the share of active ticks and the energies from its `alpha`, `observed_energy` and `shortfall`. Where it changes
+        efforts and `alpha` is 0 on every tick, or observed energy and shortfall are, they have None.
         """
         ...
 
@@ -82,6 +82,14 @@ def _names(argument: str, given: str | Iterable[str] | None) -> str | None:
     if not words:
         raise InputError(f"{argument} is empty\n  = give one or more names, or leave it out")
     return ",".join(words)
+
+
+def _name(argument: str, given: str | None) -> str | None:
+    """The one name that the call's argument is."""
+    if given is None or isinstance(given, str):
+        return given
+    remedy = BY_NAME if hasattr(given, "stabilize") else "give one name, a str"
+    raise TypeError(f"{argument} is {type(given).__name__}; {remedy}")
 
 
 def _words(argument: str, given: Iterable[str]) -> list[str]:
@@ -193,7 +201,7 @@ def ensemble(
     """
     with shown(progress, "ensemble") as bar:
         told = _lyapunov.ensemble(
-            _scene(scene), 0, members, seed, _names("stabilizer", stabilizer), phase, mass, damping, stiffness, bar
+            _scene(scene), 0, members, seed, _name("stabilizer", stabilizer), phase, mass, damping, stiffness, bar
         )
     return Ensemble(told.columns())
 
@@ -214,6 +222,7 @@ def accuracy(scene: SceneLike, *, target: float | None = None, progress: Progres
         return Accuracy(_lyapunov.accuracy(_scene(scene), target, bar))
 
 
+@_by_name
 def observe(
     log: Log,
     *,

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from lyapunov import _lyapunov
 from lyapunov._lyapunov import InputError, Scene
-from lyapunov.lab import Progress, SceneLike, _by_name, _names, _scene
+from lyapunov.lab import Progress, SceneLike, _by_name, _name, _names, _scene
 from lyapunov.progress import shown
 from lyapunov.results import Ensemble, Map, _asked_for
 
@@ -112,7 +112,7 @@ def ensemble(
     read = _scene(scene)
     _connect()
     moves = (phase, mass, damping, stiffness)
-    asked = (read, seed, stabilizer, moves)
+    asked = (read, seed, _name("stabilizer", stabilizer), moves)
     count = shards or _count(members, lambda trial: _timed_members.remote(*asked, 0, max(1, members // trial)))
     edges = [members * index // count for index in range(count + 1)]
     pairs = list(zip(edges, edges[1:]))

@@ -19,8 +19,8 @@ on_any_axes! {
 /// What a stabilizer makes of an effort.
 ///
 /// `Correction(effort, *, observed_energy=0.0, alpha=0.0, shortfall=0.0, accepted=True, axes=1)` makes one by hand, in a
-/// stabilizer written in Python. Nobody computes what it leaves out: reports tell these numbers as they are given, and of one that
-/// is 0 on every tick that it was not told.
+/// stabilizer written in Python. Nobody computes what it leaves out: reports tell these numbers as they are given, and None where
+/// nothing was told, as docs/python.md says.
 #[pyclass(module = "lyapunov", frozen, eq, skip_from_py_object)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Correction(pub(crate) AnyCorrection);

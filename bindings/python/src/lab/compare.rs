@@ -105,7 +105,7 @@ fn makers(given: &Bound<'_, PyAny>, names: &StabilizerNames) -> PyResult<Vec<Own
         }
         if !takes_one(&make)? {
             return Err(PyTypeError::new_err(format!(
-                "own[{name:?}] takes no scene, and is called with that of each run; give lambda scene: …, or let it take the scene"
+                "own[{name:?}] cannot be called with one argument, the scene of each run; give lambda scene: …, or let it take the scene"
             )));
         }
         entrants.push((name, Arc::new(make.unbind())));

@@ -9,11 +9,12 @@ pub(super) fn remarks(scene: &Scene, axes: &[&Axis]) -> impl Iterator<Item = Str
     [in_ticks(scene, axes), in_counts(scene, axes), saturated(scene)].into_iter().flatten()
 }
 
-/// A force limit bounds what would grow without it.
+/// Remark on a saturation, which bounds what would grow without it.
 fn saturated(scene: &Scene) -> Option<String> {
     let is_limited = scene.effects.saturation.is_some();
     is_limited.then(|| {
-        "a saturation may bound a run that grows without it: compare what settles".to_owned()
+        "a saturation may bound a run that grows without it: compare the runs that settle"
+            .to_owned()
     })
 }
 
@@ -21,7 +22,9 @@ fn saturated(scene: &Scene) -> Option<String> {
 fn in_counts(scene: &Scene, axes: &[&Axis]) -> Option<String> {
     let rate = axes.iter().find(|axis| axis.key == "servo_rate")?;
     let count = scene.effects.encoder?.resolution.get();
-    (scene.velocity == Velocity::BackwardDifference && scene.effects.filter.is_none()).then(|| {
+    let is_one = !axes.iter().any(|axis| axis.key == "effects.encoder.resolution");
+    let is_difference = scene.velocity == Velocity::BackwardDifference;
+    (is_one && is_difference && scene.effects.filter.is_none()).then(|| {
         let [from, to] = [rate.from, rate.to].map(|rate| (found(1e3 * count * rate), given(rate)));
         format!(
             "one count of the encoder is a velocity of {} mm/s at {} Hz and {} mm/s at {} Hz",
@@ -101,15 +104,16 @@ mod tests {
             ["one count of the encoder is a velocity of 25 mm/s at 500 Hz and 200 mm/s at 4000 Hz"]
         );
         assert!(told(encoder, &["device.mass=1..2:2"]).is_empty());
+        assert!(told(encoder, &[RATE, "effects.encoder.resolution=1e-6..1e-3:2"]).is_empty());
         assert!(told(&format!("velocity = \"exact\"\n{encoder}"), &[RATE]).is_empty());
     }
 
     #[test]
-    fn a_force_limit_is_told_to_bound_runs() {
+    fn a_saturation_is_told_to_bound_runs() {
         let limit = told("effects.saturation.force = 8", &["device.mass=1..2:2"]);
         assert_eq!(
             limit,
-            ["a saturation may bound a run that grows without it: compare what settles"]
+            ["a saturation may bound a run that grows without it: compare the runs that settle"]
         );
     }
 }

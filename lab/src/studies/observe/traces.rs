@@ -85,7 +85,8 @@ impl Traces {
         let (joule, joules) = prefix(largest([&self.held, &self.sampled]));
         let energy = Panel::new("(b) observed energy", &label, format!("energy, {joules}J"))
             .with_series(
-                Series::line("sampled, as printed", 1, curve(&self.sampled, joule)).dashed(),
+                Series::line("the paper's own sum, sampled", 1, curve(&self.sampled, joule))
+                    .dashed(),
             )
             .with_series(Series::line("held", 0, curve(&self.held, joule)))
             .with_guide(Guide::horizontal(0.0, ""));

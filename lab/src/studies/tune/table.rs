@@ -56,7 +56,9 @@ pub(super) fn remarks(objective: Objective, tuned: &[Tuned]) -> Vec<String> {
         )
     });
     let idle = (counts && bounded && !settles).then(|| {
-        "no judged run settles, so each counts its whole duration: give a longer one, or another --objective where they rest elsewhere".to_owned()
+        "no judged run settles, so each counts its whole duration: give a longer one, or another --objective \
+         where they rest elsewhere"
+            .to_owned()
     });
     too_short.into_iter().chain(idle).chain(level(tuned)).chain(exceeded_caps(tuned)).collect()
 }
