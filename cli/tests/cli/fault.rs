@@ -144,7 +144,7 @@ fn a_fault_of_any_call_of_a_study_leaves_whole_files_and_is_told() {
 }
 
 #[test]
-#[ignore = "ten minutes: it measures, or runs the whole catalogue, for each call"]
+#[ignore = "four minutes: it measures, or runs the whole catalogue, for each call"]
 fn a_fault_of_any_call_of_a_long_study_leaves_whole_files_and_is_told() {
     if is_there() {
         is_told(&["map", "merge", "shards"]);
