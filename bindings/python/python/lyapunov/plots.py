@@ -114,7 +114,7 @@ def energies(ax: matplotlib.axes.Axes, table: dict[str, Column]) -> None:
     ax.set_yticks(range(len(parts)), [str(part) for part in parts])
     ax.set_ylim(len(parts) - 0.5, -0.5)
     ax.axvline(0.0, color="black", linewidth=0.8)
-    # As in the text.
+    # One unit in picture and text: both are read side by side.
     ax.set_xlabel("energy given, mJ")
     if len(stretches) > 1:
         ax.legend()

@@ -198,8 +198,10 @@ class Map(Result):
     """A map or a sweep. The table has a row for each cell and stabilizer."""
 
     def plot(self, ax: matplotlib.axes.Axes | None = None, *, stabilizer: str | None = None) -> matplotlib.axes.Axes:
-        """Draws the verdicts: over two numbers a field under a stabilizer, the first by default with the others named, over one a row
-        for each of them."""
+        """Draws the verdicts: over two numbers a field under one stabilizer, over one a row for each.
+
+        A field is of the first stabilizer by default, and names the others.
+        """
         if not self.table:
             raise InputError("this map has more rows than its table may have\n  = draw from map.csv; the figures in `svg` are there all the same")
         known = list(dict.fromkeys(str(name) for name in self.table["stabilizer"]))

@@ -44,7 +44,7 @@ pub struct Score {
     /// Root mean square of the force on the plant between 5 and 50 Hz, N.
     #[serde(rename = "chatter_rms_n")]
     pub chatter: Option<f64>,
-    /// Share of the ticks on which damping was injected, percent; `None` for a law that adds no damping, or tells none.
+    /// Share of the ticks on which damping was injected, percent; `None` for a stabilizer that adds no damping, or tells no `alpha`.
     #[serde(rename = "active_percent")]
     pub active: Option<f64>,
     /// Time of one step.
