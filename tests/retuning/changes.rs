@@ -251,7 +251,9 @@ fn what_was_changed_acts_as_what_was_made_so() {
     let [one, other] = [1e-3, 0.5].map(|speed| popc.above_velocity(speed).expect("one"));
     becomes(one, other, |it| it.set_velocity(0.5).expect("a speed"));
     let limited = |cap| InertiaLimit::new(NoLimit, Mass(1e-3), cap, PERIOD).expect("one");
-    becomes(limited(0.5), limited(0.01), |it| it.set_cap(0.01, PERIOD).expect("a cap"));
+    let late = limited(0.01).delayed(2);
+    let rate = late.rate();
+    becomes(limited(0.5), late, |it| it.set_rate(rate));
     let slope = |slope, creep| {
         SlopeBound::<f64>::new(slope).and_then(|it| it.creeping(creep)).expect("one")
     };

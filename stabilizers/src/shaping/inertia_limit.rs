@@ -63,7 +63,11 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
         damping_cap: T,
         period: T,
     ) -> Result<Self, ParameterError> {
-        Ok(Self { stabilizer, inertia, rate: rate(damping_cap, period)? })
+        Ok(Self {
+            stabilizer,
+            inertia,
+            rate: DampingLimit::of_mass(damping_cap, T::of(1.0), period)?,
+        })
     }
 
     /// The limit for an effort that acts `ticks` periods late ([`DampingLimit::delayed`]).
@@ -94,19 +98,10 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
         self.rate
     }
 
-    /// Changes share and period between ticks, without a delay: call [`delayed`](Self::delayed) again where there is one.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new); the old ones stay.
-    pub fn set_cap(&mut self, damping_cap: T, period: T) -> Result<(), ParameterError> {
-        self.rate = rate(damping_cap, period)?;
-        Ok(())
+    /// Changes that limit between ticks, with its delay: `DampingLimit::of_mass(cap, 1.0, period)?.delayed(ticks)`.
+    pub fn set_rate(&mut self, rate: DampingLimit<T>) {
+        self.rate = rate;
     }
-}
-
-/// The limit of a mass of one.
-fn rate<T: Scalar>(cap: T, period: T) -> Result<DampingLimit<T>, ParameterError> {
-    DampingLimit::of_mass(cap, T::of(1.0), period)
 }
 
 // The inertia is told again on every tick.

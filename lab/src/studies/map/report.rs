@@ -22,8 +22,8 @@ pub fn page(survey: &Survey, figures: &[NamedFigure], command: &str, scene: &str
     let body = html! {
         p {
             (grid.x.count) " by " (grid.y.count) " cells, computed by " (html::maker(command)) "."
-            @for note in notes(survey) { " " (note) "." }
         }
+        @for note in notes(survey) { p { (note) } }
         h2 { "Which runs settle, and which stay bounded" }
         p { "Rows: " (ORDER) "." }
         (table(survey).to_html("short"))

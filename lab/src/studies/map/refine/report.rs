@@ -19,8 +19,8 @@ impl Refined {
         let body = html! {
             p {
                 "The edge of bounded runs on " (grid.x.count) " by " (grid.y.count) " cells, by " (html::maker(command)) "."
-                @for note in remarks(&grid.scene, &[&grid.x, &grid.y]) { " " (note) "." }
             }
+            @for note in remarks(&grid.scene, &[&grid.x, &grid.y]) { p { (note) } }
             (self.table().to_html("short"))
             p { (MEANING) }
             (html::figure(Some("edge"), &self.figure(bounds), &html! {

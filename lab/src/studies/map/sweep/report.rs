@@ -16,8 +16,8 @@ impl Sweep {
             p {
                 (self.x.count) " values of " code { (self.x.key) } " on " (self.name) ", by " (html::maker(command)) "."
                 @if let Some(by) = by_speed(&self.scene) { " The scene is judged " (by) "." }
-                @for note in remarks(&self.scene, &[&self.x]) { " " (note) "." }
             }
+            @for note in remarks(&self.scene, &[&self.x]) { p { (note) } }
             h2 { "Which runs settle, and which stay bounded" }
             (html::figure(Some("verdicts"), &self.verdicts(), &html! { "The verdict on the run at each value." }))
             (self.counts().to_html("short"))
