@@ -47,7 +47,7 @@
 //! | [`poses`] | the port of a rigid body: poses, twists, wrenches, Jacobians |
 //! | [`models`] | control-affine plants with their Lyapunov functions |
 //! | [`accumulators`] | plain, compensated and wide sums |
-//! | [`lanes`] | several rollouts in one number |
+//! | [`lanes`] | SIMD: one number that holds those of several independent runs |
 //! | [`laws`] | checks to run on parts of your own |
 //! | [`telemetry`] | the last ticks in a ring, and the energies of all of them |
 //!

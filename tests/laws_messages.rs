@@ -296,7 +296,7 @@ fn every_check_tells_its_quantity() {
     laws::one_port(&Wall::new(8000.0, 2.0).expect("a wall"), samples).expect("a wall is one");
 
     let broken = laws::adaptor::<f64, _>(Turned, samples).expect_err("broken");
-    tells(&broken, &["the reported effort is off by", "N, allowed is 0 N", "left at its default"]);
+    tells(&broken, &["the effort is off by", "N, allowed is 0 N", "left at its default"]);
 
     let hand = Impedance { mass: 0.3, damping: 0.2, stiffness: 50.0 };
     let body = Body::new(hand, PERIOD).expect("a body").starting(0.0, 0.1);

@@ -90,15 +90,7 @@ fn selects_do_what_the_ifs_do() {
 }
 
 fn of_lane<L: Scalar>(sample: &PortSample<L>, lane: usize) -> PortSample<f64> {
-    let of = |value: L| value.lane(lane);
-    PortSample {
-        period: of(sample.period),
-        position: of(sample.position),
-        velocity: of(sample.velocity),
-        displacement: of(sample.displacement),
-        applied: of(sample.applied),
-        work: of(sample.work),
-    }
+    sample.map(sample.period.lane(lane), |value| value.lane(lane))
 }
 
 #[test]
@@ -120,14 +112,7 @@ fn a_motion_along_one_axis_is_the_scalar() {
     let along = |value: f64| Vector3::new(0.0, value, 0.0);
     let (mut space, mut line) = (own::<f64>(), own::<f64>());
     for (sample, effort) in Samples::<f64>::new(PERIOD) {
-        let moved = PortSample {
-            period: sample.period,
-            position: along(sample.position),
-            velocity: along(sample.velocity),
-            displacement: along(sample.displacement),
-            applied: along(sample.applied),
-            work: along(sample.work),
-        };
+        let moved = sample.map(sample.period, along);
         let (one, other) =
             (space.stabilize(&moved, along(effort)), line.stabilize(&sample, effort));
         assert_eq!(one.effort, along(other.effort));

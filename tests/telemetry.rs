@@ -223,14 +223,7 @@ fn each_lane_is_metered_as_alone() {
         lanes.add(&sample, &correction);
         for (lane, meter) in alone.iter_mut().enumerate() {
             let of = |value: AutoF32x4| value.lane(lane) as f32;
-            let own = PortSample {
-                period: of(sample.period),
-                position: of(sample.position),
-                velocity: of(sample.velocity),
-                displacement: of(sample.displacement),
-                applied: of(sample.applied),
-                work: of(sample.work),
-            };
+            let own = sample.map(of(sample.period), of);
             let told = Correction {
                 observed_energy: of(correction.observed_energy),
                 alpha: of(correction.alpha),

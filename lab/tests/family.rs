@@ -290,14 +290,7 @@ fn names_are_read_and_written() {
 }
 
 fn first<L: Scalar>(sample: &PortSample<L>) -> PortSample<f64> {
-    PortSample {
-        period: sample.period.lane(0),
-        position: sample.position.lane(0),
-        velocity: sample.velocity.lane(0),
-        displacement: sample.displacement.lane(0),
-        applied: sample.applied.lane(0),
-        work: sample.work.lane(0),
-    }
+    sample.map(sample.period.lane(0), |value| value.lane(0))
 }
 
 #[test]

@@ -30,7 +30,8 @@ pub struct Correction<V: Signal> {
     pub effort: V,
     /// The observed energy `L(n)` before this tick's correction, J.
     pub observed_energy: V::Scalar,
-    /// The damping injected on this tick, N·s/m; 0 from a stabilizer that corrects in another way.
+    /// The damping `α` injected on this tick, N·s/m; 0 from a stabilizer that corrects in another way.
+    #[doc(alias = "damping")]
     pub alpha: V::Scalar,
     /// The part of the debt that this tick's correction cannot serve, J; it stays in `L`.
     pub shortfall: V::Scalar,

@@ -98,6 +98,27 @@ impl<V: Signal> PortSample<V> {
         }
     }
 
+    /// The sample over `period` s whose other numbers `of` makes of those of this one: that of an axis, or of a lane.
+    ///
+    /// ```
+    /// use lyapunov_core::PortSample;
+    /// use nalgebra::Vector2;
+    /// let both = PortSample::starting(1e-3, Vector2::new(0.1, 0.2), Vector2::zeros());
+    /// assert_eq!(both.map(both.period, |axes| axes[1]), PortSample::starting(1e-3, 0.2, 0.0));
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn map<W: Signal>(&self, period: W::Scalar, of: impl Fn(V) -> W) -> PortSample<W> {
+        PortSample {
+            period,
+            position: of(self.position),
+            velocity: of(self.velocity),
+            displacement: of(self.displacement),
+            applied: of(self.applied),
+            work: of(self.work),
+        }
+    }
+
     /// Whether the period is a time, above 0 and finite, lane by lane.
     ///
     /// The contract of time: a clock that stands, steps back or fails tells no period, and nothing that is per time, a

@@ -13,18 +13,22 @@ use crate::{Correction, OnePort, ParameterError, PortSample, Signal, Snapshot};
 ///
 /// ```
 /// use lyapunov_core::{Correction, PortSample, Stabilizer};
-/// /// A damper of `0` N·s/m that is always on.
-/// struct Damper(f64);
+/// /// A damper of `damping` N·s/m that is always on.
+/// struct Damper {
+///     damping: f64,
+/// }
 /// impl Stabilizer<f64> for Damper {
 ///     fn stabilize(&mut self, sample: &PortSample<f64>, effort: f64) -> Correction<f64> {
-///         Correction { alpha: self.0, ..Correction::none(effort + self.0 * sample.velocity) }.checked()
+///         let effort = effort + self.damping * sample.velocity;
+///         Correction { alpha: self.damping, ..Correction::none(effort) }.checked()
 ///     }
 /// }
-/// let braked = Damper(3.0).stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 1.0);
+/// let braked = Damper { damping: 3.0 }.stabilize(&PortSample::starting(1e-3, 0.0, 0.1), 1.0);
 /// assert!((braked.effort - 1.3).abs() < 1e-15);
 /// ```
 pub trait Stabilizer<V: Signal> {
-    /// One tick: `sample` is what the other side did, `effort` the response of the port behind, N.
+    /// One tick: `sample` is what the other side did, `effort` the response of the port behind, N: positive against a
+    /// motion into the environment ([`OnePort::respond`]), so that a motor pushes with `−effort`.
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V>;
 }
 

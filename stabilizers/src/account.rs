@@ -51,43 +51,33 @@ pub trait Account<T: Scalar> {
 }
 
 /// `sum` with `energy` joules of credit more.
-pub(crate) fn granted<T: Scalar, A: Copy>(
+pub(crate) fn granted<T: Scalar, A>(
     sum: A,
     energy: T,
     book: impl FnOnce(&mut A, T) -> T::Mask,
 ) -> Result<A, ParameterError> {
-    let energy = Requirement::NonNegative.check("granted credit", energy)?;
-    changed("granted credit", energy, sum, |sum| book(sum, energy))
-}
-
-/// Books `energy` joules of credit that a stabilizer starts with.
-pub(crate) fn budget<T: Scalar>(
-    energy: T,
-    book: impl FnOnce(T) -> T::Mask,
-) -> Result<(), ParameterError> {
-    let energy = Requirement::NonNegative.check("budget", energy)?;
-    Requirement::InRange.require("budget", energy, book(energy))
+    booked("granted credit", energy, sum, book)
 }
 
 /// `sum` with as many joules of `debt` more.
-pub(crate) fn owed<T: Scalar, A: Copy>(
+pub(crate) fn owed<T: Scalar, A>(
     sum: A,
     debt: T,
     book: impl FnOnce(&mut A, T) -> T::Mask,
 ) -> Result<A, ParameterError> {
-    let debt = Requirement::NonNegative.check("debt carried over", debt)?;
-    changed("debt carried over", debt, sum, |sum| book(sum, -debt))
+    booked("debt carried over", debt, sum, |sum, debt| book(sum, -debt))
 }
 
-/// `sum` with a change of `given` joules, which `book` has no room for where it says so.
-fn changed<T: Scalar, A>(
+/// `sum` with the `parameter` of `energy` joules, which `book` has no room for where it says so.
+pub(crate) fn booked<T: Scalar, A>(
     parameter: &'static str,
-    given: T,
+    energy: T,
     mut sum: A,
-    book: impl FnOnce(&mut A) -> T::Mask,
+    book: impl FnOnce(&mut A, T) -> T::Mask,
 ) -> Result<A, ParameterError> {
-    let booked = book(&mut sum);
-    Requirement::InRange.require(parameter, given, booked).map(|()| sum)
+    let energy = Requirement::NonNegative.check(parameter, energy)?;
+    let booked = book(&mut sum, energy);
+    Requirement::InRange.require(parameter, energy, booked).map(|()| sum)
 }
 
 impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {
@@ -160,7 +150,7 @@ macro_rules! account_in_sum {
     };
 }
 
-/// The stabilizer inside an adaptor, lent, with its account.
+/// Adaptor that lends the stabilizer inside, with its account.
 macro_rules! lends {
     (impl[$($parameters:tt)*] $type:ty, of $inner:ident, in $scalar:ty) => {
         impl<$($parameters)*> $type {
@@ -174,6 +164,8 @@ macro_rules! lends {
                 &mut self.stabilizer
             }
         }
+
+        impl<$($parameters)*> $crate::StabilizerExt for $type {}
 
         $crate::account::account!(
             impl[$($parameters)*] $type, in $scalar, is stabilizer, where $inner

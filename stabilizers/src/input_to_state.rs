@@ -9,9 +9,10 @@ use lyapunov_core::{
 /// 2015) and Jafari, Nabeel and Ryu (IEEE Transactions on Robotics, 2017): a port around the environment.
 ///
 /// ```text
-/// q(k) = x(k) − f(k−1) / μ                          what the environment is asked at, and v' = v − ḟ / μ
-/// f(k) = environment(q(k))
-/// F(k) = f(k) + τ (f(k) − f(k−1)) / T               what is given
+/// s(k) = f(k−1) / μ
+/// q(k) = x(k) − s(k),  v' = v − (s(k) − s(k−1)) / T   what the environment is asked at; v' = v − ḟ / μ under one μ
+/// f(k) = environment(q(k), v')
+/// F(k) = f(k) + τ (f(k) − f(k−1)) / T                 what is given
 /// ```
 ///
 /// with `μ` (N/m) a bound of the environment's slope, `0 ≤ df/dq ≤ μ`, and `τ` (s) the feed-forward of its rate, which

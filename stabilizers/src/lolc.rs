@@ -5,9 +5,9 @@ use lyapunov_core::{
     Plain, PortSample, Sampled, Scalar, Signal, Snapshot, Stabilizer, Work,
 };
 
-use crate::DampingLimit;
-use crate::account::{account, budget};
+use crate::account::{account, booked};
 use crate::credit::limits_credit;
+use crate::{DampingLimit, StabilizerExt};
 
 /// Lyapunov observer/controller of Jafari, Etoundi and Chong.
 ///
@@ -64,8 +64,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// The same stabilizer with its energies summed in a `B`.
     #[must_use]
     pub fn summed_in<B: Accumulator<T>>(self) -> Lolc<T, C, W, B> {
-        let sum = B::holding(self.observer.ledger.energy());
-        self.summed_by(sum)
+        Lolc { observer: self.observer.booking(), limit: self.limit }
     }
 
     /// The same stabilizer with its energies summed in `sum`, from the present value of `sum` on.
@@ -97,7 +96,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// # Ok::<(), lyapunov_core::ParameterError>(())
     /// ```
     pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
-        budget(energy, |energy| self.observer.ledger.credit(energy))?;
+        self.observer.ledger = booked("budget", energy, self.observer.ledger, Ledger::credit)?;
         Ok(self)
     }
 
@@ -237,6 +236,8 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         }
     }
 }
+
+impl<T, C, W, A> StabilizerExt for Lolc<T, C, W, A> {}
 
 account!(impl[T: Scalar, C, W: Work, A: Accumulator<T>] Lolc<T, C, W, A>, in T, is observer.ledger);
 

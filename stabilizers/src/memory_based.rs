@@ -8,6 +8,7 @@ use lyapunov_core::{
 use crate::StabilizerExt;
 use crate::account::account_in_sum;
 use crate::limiting::limiting;
+use crate::range::in_range;
 use nalgebra::SVector;
 
 /// Memory-based passivation, after Ryu and Yoon (IEEE/ASME Transactions on Mechatronics 19(4), 2014): the force of the
@@ -65,9 +66,7 @@ impl<T: Scalar, const N: usize> MemoryBased<T, N> {
     pub fn beyond(surface: T, depth: T) -> Result<Self, ParameterError> {
         let surface = Requirement::Finite.check("surface", surface)?;
         let depth = Requirement::Positive.check("memory depth", depth)?;
-        let cell = depth / T::of(N as f64);
-        let kept = cell.above(T::of(0.0)) & cell.finite();
-        Requirement::InRange.require("memory depth", depth, kept)?;
+        let cell = in_range("memory depth", depth, depth / T::of(N as f64))?;
         let (look, forces) = (T::of(1.0), [T::of(0.0); N]);
         Ok(Self { surface, cell, look, last: None, forces, energy: Plain::zero() })
     }

@@ -7,6 +7,8 @@ use lyapunov_core::{
 
 use crate::StabilizerExt;
 use crate::account::owed;
+use crate::limiting::limiting;
+use crate::range::in_range;
 use nalgebra::SVector;
 
 /// A memory of energies: what pressing in took is kept place by place, and letting go gives no more there. One axis,
@@ -70,9 +72,7 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     pub fn beyond(surface: T, depth: T) -> Result<Self, ParameterError> {
         let surface = Requirement::Finite.check("surface", surface)?;
         let depth = Requirement::Positive.check("memory depth", depth)?;
-        let cell = depth / T::of(N as f64);
-        let kept = cell.above(T::of(0.0)) & cell.finite();
-        Requirement::InRange.require("memory depth", depth, kept)?;
+        let cell = in_range("memory depth", depth, depth / T::of(N as f64))?;
         Ok(Self { surface, cell, forces: [T::of(0.0); N], debt: T::of(0.0) })
     }
 
@@ -172,14 +172,8 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
         let most = ((gives - self.debt) / ahead).larger(zero);
         let bounded = T::choose(leaving, effort.smaller(most), effort);
         let accepted = sound & effort.finite() & most.finite();
-        Correction {
-            effort: T::choose(accepted, bounded, zero),
-            // No debt is 0, and not −0.
-            observed_energy: zero - self.debt,
-            alpha: zero,
-            shortfall: self.debt,
-            accepted,
-        }
+        // No debt is 0, and not −0.
+        limiting(bounded, zero - self.debt, accepted)
     }
 }
 

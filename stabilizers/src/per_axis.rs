@@ -3,7 +3,7 @@
 use lyapunov_core::{Correction, Mask, ParameterError, PortSample, Scalar, Snapshot, Stabilizer};
 use nalgebra::SVector;
 
-use crate::LimitCredit;
+use crate::{LimitCredit, StabilizerExt};
 
 /// One stabilizer per axis of a port, each with an observed energy and a damping of its own.
 ///
@@ -56,6 +56,8 @@ impl<S, const N: usize> PerAxis<S, N> {
     }
 }
 
+impl<S, const N: usize> StabilizerExt for PerAxis<S, N> {}
+
 /// Limit of the credit of each axis: each keeps `most`, all together N times that.
 impl<T: Scalar, S: LimitCredit<T>, const N: usize> LimitCredit<T> for PerAxis<S, N> {
     #[inline]
@@ -78,14 +80,7 @@ impl<T: Scalar, S: Stabilizer<T>, const N: usize> Stabilizer<SVector<T, N>> for 
         let (mut sum, mut most) = (T::largest(), T::zero());
         let (mut shortfall, mut accepted) = (T::zero(), Mask::of(true));
         for (axis, stabilizer) in self.axes.iter_mut().enumerate() {
-            let sample = PortSample {
-                period: sample.period,
-                position: sample.position[axis],
-                velocity: sample.velocity[axis],
-                displacement: sample.displacement[axis],
-                applied: sample.applied[axis],
-                work: sample.work[axis],
-            };
+            let sample = sample.map(sample.period, |axes| axes[axis]);
             let correction = stabilizer.stabilize(&sample, effort[axis]);
             out[axis] = correction.effort;
             // A sample that is not accepted dissipates nothing, and its velocity may be anything.

@@ -4,7 +4,6 @@ use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
-use crate::StabilizerExt;
 use crate::account::lends;
 
 /// Smallest period, velocity, displacement and applied effort but 0 that a stabilizer sees; of work, its square.
@@ -74,8 +73,6 @@ impl<S, T: Scalar> Plausible<S, T> {
         Ok(Self { stabilizer, limits: limits.checked()? })
     }
 }
-
-impl<S, T> StabilizerExt for Plausible<S, T> {}
 
 /// NaN where an axis is beyond `most`, else -0, which changes no number that it is added to; a NaN is not beyond.
 ///

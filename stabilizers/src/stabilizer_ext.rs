@@ -3,8 +3,8 @@
 use lyapunov_core::{ParameterError, Scalar, Signal};
 
 use crate::{
-    BoundedCredit, ContactReset, LimitCredit, Lolc, PerAxis, Plausibility, Plausible, RateLimit,
-    SoftStart, Spread, VelocityThreshold, Watchdog, WatchdogTimes,
+    BoundedCredit, ContactReset, LimitCredit, Plausibility, Plausible, RateLimit, SoftStart,
+    Spread, VelocityThreshold, Watchdog, WatchdogTimes,
 };
 
 /// Adaptors of a stabilizer, chained like iterator adaptors; an adaptor that is absent costs nothing.
@@ -103,15 +103,6 @@ pub trait StabilizerExt: Sized {
         Watchdog::new(self, times)
     }
 }
-
-impl<T, C, W, A> StabilizerExt for Lolc<T, C, W, A> {}
-impl<S, const N: usize> StabilizerExt for PerAxis<S, N> {}
-impl<S, T> StabilizerExt for BoundedCredit<S, T> {}
-impl<S, G, T: Scalar> StabilizerExt for ContactReset<S, G, T> {}
-impl<S, T> StabilizerExt for VelocityThreshold<S, T> {}
-impl<S, T> StabilizerExt for Spread<S, T> {}
-impl<S, T> StabilizerExt for SoftStart<S, T> {}
-impl<S, V: Signal> StabilizerExt for RateLimit<S, V> {}
 
 /// ```
 /// use lyapunov_core::{PortEnergy, PortSample, Stabilizer};

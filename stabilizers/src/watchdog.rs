@@ -4,7 +4,6 @@ use lyapunov_core::{
     Correction, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
-use crate::StabilizerExt;
 use crate::account::lends;
 
 /// Times of a [`Watchdog`].
@@ -31,7 +30,8 @@ impl<T: Scalar> WatchdogTimes<T> {
 /// ```text
 /// silence(n) = silence(n−1) + T                         where the sample or the correction is not accepted, else 0
 /// F(n)       = F(n−1)  while silence ≤ hold,  0  beyond
-/// share(n)   = min(1, risen(n) / rise),   risen(n) = risen(n−1) + T,  from 0 at the start and at each release
+/// share(n)   = min(1, risen(n) / rise),   risen(n) = risen(n−1) + max(0, T − silence(n−1)),  from 0 at the start and at
+///              each release: a sample that spans a gap has the time of the silence in it
 /// F(n)       = what the stabilizer inside makes of share · f,  where accepted
 /// ```
 ///
@@ -81,8 +81,6 @@ impl<S, V: Signal> Watchdog<S, V> {
         Ok(Self { stabilizer, times, effort: V::zero(), silence: zero, risen: zero })
     }
 }
-
-impl<S, V: Signal> StabilizerExt for Watchdog<S, V> {}
 
 impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watchdog<S, V> {
     #[inline]

@@ -20,14 +20,7 @@ fn samples<V: Signal>(seed: u64) -> Samples<V> {
 }
 
 fn alone(sample: &PortSample<SVector<f64, 3>>, axis: usize) -> PortSample<f64> {
-    PortSample {
-        period: sample.period,
-        position: sample.position[axis],
-        velocity: sample.velocity[axis],
-        displacement: sample.displacement[axis],
-        applied: sample.applied[axis],
-        work: sample.work[axis],
-    }
+    sample.map(sample.period, |axes| axes[axis])
 }
 
 #[test]

@@ -45,4 +45,4 @@ pub(crate) use stiffness_felt::StiffnessFelt;
 pub(crate) use summary::Summary;
 pub(crate) use trace::Trace;
 pub(crate) use verdict::{Verdict, Yardstick};
-pub use watch::Watch;
+pub use watch::{GoOn, Watch};

@@ -57,6 +57,15 @@ pub struct Moves {
 impl Moves {
     /// Nothing moves.
     pub const NONE: Self = Self { phase: 0.0, mass: 0.0, damping: 0.0, stiffness: 0.0 };
+
+    /// The moves that members of `scene` make: without the phase where a scene [starts as it is](Ensemble).
+    pub fn of(self, scene: &Draft) -> Self {
+        Self { phase: if starts_as_it_is(scene) { 0.0 } else { self.phase }, ..self }
+    }
+}
+
+fn starts_as_it_is(scene: &Draft) -> bool {
+    scene.link.is_some() || scene.operator.motion.is_some()
 }
 
 impl Default for Moves {
@@ -197,7 +206,7 @@ fn released(draft: &Draft, interval: f64) -> Result<Initial, Conflict> {
     else {
         return Ok(draft.initial.clone());
     };
-    if draft.link.is_some() || draft.operator.motion.is_some() {
+    if starts_as_it_is(draft) {
         return Ok(draft.initial.clone());
     }
     let alone = Draft {

@@ -82,7 +82,7 @@ impl<V: Space> Rollout<V> {
     /// Those of [`Rollout::of`].
     pub(crate) fn on(scenes: Scenes<'_>, fitted: Fitted<V>) -> Result<Self, ParameterError> {
         let seen = Seen::default();
-        let assembly = Assembly::watched(scenes, &seen, fitted)?;
+        let assembly = Assembly::put_together(scenes, Some(&seen), fitted)?;
         let scene = scenes.common();
         let (rate, last, truth) = (scene.servo_rate.get(), scene.ticks(), assembly.plant.start());
         let stabilizing = Stabilizing::Foreign("Fitted".into());

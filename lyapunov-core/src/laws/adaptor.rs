@@ -1,6 +1,7 @@
 //! The law of an adaptor: a port that owns another.
 
-use crate::laws::{Law, Tick, Violation, quantity};
+use super::stabilizer::alike;
+use crate::laws::{Law, Tick, Violation};
 use crate::{Correction, OnePort, PortSample, Scalar, Signal};
 
 /// Port with a correction that no other port reports, which [`adaptor`] puts inside the adaptor under test.
@@ -62,22 +63,8 @@ pub fn adaptor<V: Signal, P: OnePort<V>>(
     let mut port = wrap(probe);
     for (tick, (sample, _)) in samples.into_iter().enumerate() {
         let effort = port.respond(&sample);
-        let told = alike(Tick(tick), &port.correction(), &inside);
+        let told = alike(Tick(tick), Law::HandsOn, &port.correction(), &inside);
         told.map_err(|broken| broken.under(&sample, effort))?;
     }
     Ok(())
-}
-
-fn alike<V: Signal>(
-    now: Tick,
-    told: &Correction<V>,
-    inside: &Correction<V>,
-) -> Result<(), Violation> {
-    let law = Law::HandsOn;
-    now.told(quantity::REPORTED_EFFORT).same(law, told.effort, inside.effort)?;
-    let [energy, inner] = [told, inside].map(|it| it.observed_energy);
-    now.told(quantity::REPORTED_OBSERVED_ENERGY).same(law, energy, inner)?;
-    now.told(quantity::REPORTED_DAMPING).same(law, told.alpha, inside.alpha)?;
-    now.told(quantity::REPORTED_SHORTFALL).same(law, told.shortfall, inside.shortfall)?;
-    now.told(quantity::REPORTED_ACCEPTANCE).holds::<V::Scalar>(law, told.accepted)
 }

@@ -45,14 +45,15 @@ where
             let mut integrator = integrator.clone();
             integrator.step(dynamics, from, input, interval)
         };
+        let told = now.told(quantity::RESULT);
         let gain = run(from, input, interval);
-        now.finite(Law::Finite, gain)?;
-        now.same(Law::Repeatable, gain, run(from, input, interval))?;
+        told.finite(Law::Finite, gain)?;
+        told.same(Law::Repeatable, gain, run(from, input, interval))?;
         let still = run(from, input, U::Scalar::of(0.0));
-        now.same(Law::NothingForNothing, D::State::splat(U::Scalar::of(0.0)), still)?;
+        told.same(Law::NothingForNothing, D::State::splat(U::Scalar::of(0.0)), still)?;
         for lane in 0..U::Scalar::LANES {
             let alone = run(spread(from, lane), spread(input, lane), interval);
-            now.same(Law::LaneByLane, spread(gain, lane), spread(alone, lane))?;
+            told.same(Law::LaneByLane, spread(gain, lane), spread(alone, lane))?;
         }
         converges(now, integrator, dynamics, from, input, interval, order)?;
     }

@@ -31,11 +31,6 @@ macro_rules! quantities {
 }
 
 quantities! {
-    REPORTED_EFFORT: "reported effort" in "N";
-    REPORTED_OBSERVED_ENERGY: "reported observed energy" in "J";
-    REPORTED_DAMPING: "reported damping" in "N·s/m";
-    REPORTED_SHORTFALL: "reported shortfall" in "J";
-    REPORTED_ACCEPTANCE: "reported acceptance" in "";
     DECREASE: "decrease" in "J";
     DECREASE_AT_REST: "decrease at rest" in "J";
     NEXT_DECREASE: "next decrease" in "J";

@@ -125,14 +125,7 @@ fn lane_by_lane<V: Signal, S: Stabilizer<V> + Clone>(
         return Ok(());
     }
     for lane in 0..V::Scalar::LANES {
-        let alone = PortSample {
-            period: spread(sample.period, lane),
-            position: spread(sample.position, lane),
-            velocity: spread(sample.velocity, lane),
-            displacement: spread(sample.displacement, lane),
-            applied: spread(sample.applied, lane),
-            work: spread(sample.work, lane),
-        };
+        let alone = sample.map(spread(sample.period, lane), |signal| spread(signal, lane));
         let own = before.clone().stabilize(&alone, spread(effort, lane));
         let told = alike(now, Law::LaneByLane, &of_lane(correction, lane), &of_lane(&own, lane));
         told.map_err(|broken| Violation { lane: lane as u32, ..broken })?;

@@ -1,6 +1,6 @@
 //! Checks on one tick.
 
-use super::{Allowed, Law, Quantity, Violation, quantity};
+use super::{Allowed, Law, Quantity, Violation};
 use crate::{Mask, PortSample, Scalar, Signal};
 
 /// Index of the tick that is being checked.
@@ -29,16 +29,6 @@ impl Tick {
     /// The quantity on this tick.
     pub(super) fn told(self, quantity: &'static Quantity) -> Told {
         Told { tick: self.0, quantity }
-    }
-
-    /// Breaks `law` where a number is not finite.
-    pub(super) fn finite<V: Signal>(self, law: Law, signal: V) -> Result<(), Violation> {
-        self.told(quantity::RESULT).finite(law, signal)
-    }
-
-    /// Breaks `law` where two signals that must be equal differ.
-    pub(super) fn same<V: Signal>(self, law: Law, one: V, other: V) -> Result<(), Violation> {
-        self.told(quantity::RESULT).same(law, one, other)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::{
     WorldAxes,
 };
 
-/// Kind of place that a device tells: positions as they are ([`Positions`]), or poses ([`Poses`]).
+/// Place that a device measures: a position along axes ([`Positions`]), or a pose in space ([`Poses`]).
 ///
 /// [`Readings`](crate::Readings) ask for the position in the port's sample, counted from the last one that was accepted,
 /// and for the motions that no device makes.

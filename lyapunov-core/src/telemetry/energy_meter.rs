@@ -24,9 +24,9 @@ use crate::{
 pub struct EnergySummary<T> {
     /// Number of ticks.
     pub ticks: u64,
-    /// Number of ticks with an injected damping above 0.
+    /// Number of ticks with an injected damping above 0; a scalar, since each lane counts its own.
     pub active: T,
-    /// Number of ticks whose sample was not accepted.
+    /// Number of ticks whose sample was not accepted, likewise.
     pub rejected: T,
     /// The observed energy `L` now, J.
     pub now: T,

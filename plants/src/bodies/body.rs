@@ -103,16 +103,6 @@ impl<V: Signal> Body<V> {
     }
 }
 
-/// The same parts, of a mass that can move.
-#[inline(always)]
-fn checked<T: Scalar>(parts: Impedance<T>) -> Result<Impedance<T>, ParameterError> {
-    Ok(Impedance {
-        mass: Requirement::Positive.check("mass", parts.mass)?,
-        damping: Requirement::NonNegative.check("damping", parts.damping)?,
-        stiffness: Requirement::NonNegative.check("stiffness", parts.stiffness)?,
-    })
-}
-
 /// The gains by row, of a motion in the scalar's range.
 #[inline(always)]
 fn in_range<T: Scalar>(
@@ -130,7 +120,7 @@ fn maps_lane_by_lane<T: Scalar>(
     parts: Impedance<T>,
     interval: T,
 ) -> Result<[Row<T>; 2], ParameterError> {
-    let parts = checked(parts)?;
+    let parts = parts.checked()?;
     in_range(parts.mass, lane_by_lane(parts, interval))
 }
 
@@ -222,7 +212,7 @@ impl<V: Signal> OperatedBody<V> for Body<V> {
     #[inline(always)]
     fn reshape(&mut self, parts: Self::Parts, interval: V::Scalar) -> Result<(), ParameterError> {
         let interval = Requirement::NonNegative.check("period", interval)?;
-        let parts = checked(parts)?;
+        let parts = parts.checked()?;
         let gains = impedance_increments(parts, interval);
         [self.position_map, self.velocity_map] = in_range(parts.mass, gains)?;
         self.period = interval;

@@ -35,6 +35,16 @@ impl<T: Scalar> Impedance<T> {
         }
     }
 
+    /// The same parts, of a mass that can move.
+    #[inline(always)]
+    pub(crate) fn checked(self) -> Result<Self, ParameterError> {
+        Ok(Self {
+            mass: Requirement::Positive.check("mass", self.mass)?,
+            damping: Requirement::NonNegative.check("damping", self.damping)?,
+            stiffness: Requirement::NonNegative.check("stiffness", self.stiffness)?,
+        })
+    }
+
     pub(crate) fn finite(self) -> Result<Self, ParameterError> {
         Requirement::Finite.check("mass", self.mass)?;
         Requirement::Finite.check("damping", self.damping)?;

@@ -8,7 +8,7 @@ use lyapunov_core::{Mechanics, Signal};
 /// does the same.
 pub trait ImplicitMechanics<V: Signal>: Mechanics<V> {
     /// The acceleration `a` of the state that it leads to: `a = acceleration(q + α a, q̇ + β a, effort)`, `α` in s² and
-    /// `β` in s, neither below 0.
+    /// `β` in s, neither below 0: numbers of the integrator's step, no dampings.
     fn implicit_acceleration(
         &self,
         position: Self::Coordinates,

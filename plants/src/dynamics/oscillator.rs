@@ -21,9 +21,7 @@ impl<T: Scalar> Oscillator<T> {
     /// `mass` not above 0 and finite; `damping` or `stiffness` below 0, infinite or NaN; a mass so small beside the
     /// other values that an acceleration is out of the scalar's range.
     pub fn new(parts: Impedance<T>) -> Result<Self, ParameterError> {
-        let mass = Requirement::Positive.check("mass", parts.mass)?;
-        let damping = Requirement::NonNegative.check("damping", parts.damping)?;
-        let stiffness = Requirement::NonNegative.check("stiffness", parts.stiffness)?;
+        let Impedance { mass, damping, stiffness } = parts.checked()?;
         let per_mass = |value: T| -value / mass;
         let by_position = per_mass(stiffness);
         let by_velocity = per_mass(damping);

@@ -51,11 +51,7 @@ impl<V: Signal, P: OnePort<V>> OnePort<V> for Dropout<P, V> {
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let answer = self.port.respond(sample);
         let lost = self.random.chance(self.probability);
-        let instead = match self.fallback {
-            Fallback::Hold => self.arrived,
-            Fallback::Zero => V::zero(),
-        };
-        self.arrived = V::choose(lost, instead, answer);
+        self.arrived = V::choose(lost, self.fallback.after(self.arrived), answer);
         self.arrived
     }
 

@@ -73,13 +73,6 @@ impl<P, V: Signal> Guard<P, V> {
             rejected: false,
         }
     }
-
-    fn answer(&self) -> V {
-        match self.fallback {
-            Fallback::Hold => self.effort,
-            Fallback::Zero => V::zero(),
-        }
-    }
 }
 
 impl<P, V: Signal> Guard<P, V>
@@ -160,7 +153,7 @@ where
         };
         self.rejected = effort.is_none();
         self.effort = effort.unwrap_or(self.effort);
-        self.told = effort.unwrap_or(self.answer());
+        self.told = effort.unwrap_or(self.fallback.after(self.effort));
         self.told
     }
 

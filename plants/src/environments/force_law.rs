@@ -7,7 +7,7 @@ use lyapunov_core::{OnePort, PortSample, Scalar, Signal};
 pub enum Time<T> {
     /// Seconds, alike in every lane.
     Seconds(f64),
-    /// `number / rate`, with `rate` in Hz; no time is summed.
+    /// A count of calls, at the time `number / rate`: no sum of periods drifts.
     Calls {
         /// Number of earlier calls.
         number: u64,

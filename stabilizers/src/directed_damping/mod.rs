@@ -10,8 +10,8 @@ pub use inertia_metric::InertiaMetric;
 
 use lyapunov_core::{Correction, PortSample, Scalar, Signal, Snapshot, Stabilizer};
 
+use crate::DampingLimit;
 use crate::account::lends;
-use crate::{DampingLimit, StabilizerExt};
 
 /// Metric of the directions in which damping acts: a symmetric matrix `M` with eigenvalues from 0 to 1.
 pub trait Metric<V: Signal> {
@@ -58,8 +58,6 @@ impl<S, M, T: Scalar> DirectedDamping<S, M, T> {
         Self { stabilizer, metric, limit }
     }
 }
-
-impl<S, M, T> StabilizerExt for DirectedDamping<S, M, T> {}
 
 impl<V, S, M> Stabilizer<V> for DirectedDamping<S, M, V::Scalar>
 where

@@ -17,7 +17,7 @@ use lyapunov_core::{
 };
 use nalgebra::{SMatrix, SVector};
 
-use crate::account::{account_in_sum, budget};
+use crate::account::{account_in_sum, booked};
 use crate::limiting::limiting;
 use crate::{LimitCredit, StabilizerExt};
 use pipe::Pipe;
@@ -130,7 +130,7 @@ where
     /// # Errors
     /// `energy` below 0, infinite or NaN, or more than the sum has room for.
     pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
-        budget(energy, |energy| self.energy.book(energy))?;
+        self.energy = booked("budget", energy, self.energy, A::book)?;
         Ok(self)
     }
 }

@@ -5,11 +5,11 @@ mod constraint;
 pub use constraint::{Constraint, Input};
 
 use lyapunov_core::{
-    Accumulator, Correction, Held, LyapunovCandidate, Observer, ParameterError, Plain, PortSample,
-    Requirement, Scalar, Signal, Snapshot, Stabilizer,
+    Accumulator, Correction, Held, Ledger, LyapunovCandidate, Observer, ParameterError, Plain,
+    PortSample, Requirement, Scalar, Signal, Snapshot, Stabilizer,
 };
 
-use crate::account::{account, budget};
+use crate::account::{account, booked};
 use crate::credit::limits_credit;
 use crate::{DampingLimit, StabilizerExt};
 
@@ -76,7 +76,7 @@ impl<T: Scalar, C, A: Accumulator<T>> LeastNorm<T, C, A> {
     /// # Errors
     /// `energy` below 0, infinite or NaN, or more than the sum has room for.
     pub fn budgeted(mut self, energy: T) -> Result<Self, ParameterError> {
-        budget(energy, |energy| self.observer.ledger.credit(energy))?;
+        self.observer.ledger = booked("budget", energy, self.observer.ledger, Ledger::credit)?;
         Ok(self)
     }
 }

@@ -49,14 +49,6 @@ impl<T: Scalar> PartLimits<T> {
     ///
     /// # Errors
     /// `damping_cap` below 0 or NaN; a mass or moment of `inertia`, or `period`, not above 0 and finite.
-    ///
-    /// ```
-    /// use lyapunov_stabilizers::{BodyInertia, PartLimits};
-    /// let limits = PartLimits::of_body(0.5, BodyInertia { mass: 0.4, moment: 2e-4 }, 1e-3)?;
-    /// assert_eq!(limits.translation.most(), 200.0); // N·s/m
-    /// assert_eq!(limits.rotation.most(), 0.1); // N·m·s/rad
-    /// # Ok::<(), lyapunov_core::ParameterError>(())
-    /// ```
     pub fn of_body(
         damping_cap: T,
         inertia: BodyInertia<T>,

@@ -71,7 +71,7 @@ impl<A, B> PerPart<A, B> {
         &self.rotation
     }
 
-    /// One tick of both stabilizers: the corrections of translation and of rotation.
+    /// One tick of both stabilizers: the corrections of translation and of rotation, not joined into one wrench.
     #[inline]
     pub fn apart<V: Spatial>(
         &mut self,
@@ -83,8 +83,7 @@ impl<A, B> PerPart<A, B> {
         B: Stabilizer<SVector<V::Scalar, 3>>,
     {
         let wrench = effort.screw();
-        let translation = part(sample, |screw| screw.translation);
-        let rotation = part(sample, |screw| screw.rotation);
+        let [translation, rotation] = parts(sample);
         [
             self.translation.stabilize(&translation, wrench.translation),
             self.rotation.stabilize(&rotation, wrench.rotation),
@@ -92,20 +91,13 @@ impl<A, B> PerPart<A, B> {
     }
 }
 
-/// One part of a sample.
+/// Translation and rotation of a sample.
 #[inline]
-fn part<V: Spatial>(
-    sample: &PortSample<V>,
-    of: impl Fn(Screw<V::Scalar, V::Axes>) -> SVector<V::Scalar, 3>,
-) -> PortSample<SVector<V::Scalar, 3>> {
-    PortSample {
-        period: sample.period,
-        position: of(sample.position.screw()),
-        velocity: of(sample.velocity.screw()),
-        displacement: of(sample.displacement.screw()),
-        applied: of(sample.applied.screw()),
-        work: of(sample.work.screw()),
-    }
+fn parts<V: Spatial>(sample: &PortSample<V>) -> [PortSample<SVector<V::Scalar, 3>>; 2] {
+    [
+        sample.map(sample.period, |signal| signal.screw().translation),
+        sample.map(sample.period, |signal| signal.screw().rotation),
+    ]
 }
 
 impl<A, B> StabilizerExt for PerPart<A, B> {}
@@ -156,8 +148,8 @@ where
 {
     #[inline]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
-        self.translation.decrease(&part(sample, |screw| screw.translation))
-            + self.rotation.decrease(&part(sample, |screw| screw.rotation))
+        let [translation, rotation] = parts(sample);
+        self.translation.decrease(&translation) + self.rotation.decrease(&rotation)
     }
 }
 

@@ -6,7 +6,7 @@ use lyapunov_core::{
 
 use super::{added, portion};
 use crate::account::lends;
-use crate::{DampingLimit, Inertia, StabilizerExt};
+use crate::{DampingLimit, Inertia};
 
 /// Stabilizer whose correction is limited by the inertia that it meets: by the apparent mass along the direction of
 /// motion, at every tick.
@@ -82,8 +82,6 @@ impl<S, M, T: Scalar> InertiaLimit<S, M, T> {
         self.inertia = inertia;
     }
 }
-
-impl<S, M, T> StabilizerExt for InertiaLimit<S, M, T> {}
 
 lends!(impl[S, M, T: Scalar] InertiaLimit<S, M, T>, of S, in T);
 

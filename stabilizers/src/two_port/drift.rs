@@ -7,7 +7,6 @@ use lyapunov_core::{
 
 use super::TwoPortSide;
 use super::booking::{Booking, Spending};
-use crate::StabilizerExt;
 use crate::account::lends;
 
 /// Stabilizer of an admittance port that compensates the position drift of its corrections.
@@ -116,8 +115,6 @@ where
         Correction { effort: flow, ..correction }.checked()
     }
 }
-
-impl<S, V: Signal> StabilizerExt for DriftCompensated<S, V> {}
 
 lends!(impl[S, V: Signal] DriftCompensated<S, V>, of S, in V::Scalar);
 

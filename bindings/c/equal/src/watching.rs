@@ -59,14 +59,7 @@ fn read_poses<T: Scalar>(
         now += run.period();
         let told = read(now, Pose::new(position, turned), velocity.into(), applied.into());
         let CheckedSample { sample, accepted, jumped, late, timed } = told;
-        let sample = PortSample {
-            period: sample.period,
-            position: sample.position.screw,
-            velocity: sample.velocity.screw,
-            displacement: sample.displacement.screw,
-            applied: sample.applied.screw,
-            work: sample.work.screw,
-        };
+        let sample = sample.map(sample.period, |pose| pose.screw);
         tell(&mut run, &CheckedSample { sample, accepted, jumped, late, timed });
     }
     run.end(name, signal);

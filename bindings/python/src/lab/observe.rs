@@ -85,18 +85,7 @@ pub(crate) fn observe(
 ) -> PyResult<Told> {
     let columns = columns.map_or_else(|| Ok(LogColumns::default()), str::parse);
     let scales = scale.iter().map(|text| text.parse::<Scale>());
-    let asked = match (stabilizers, scene) {
-        (None, None) => None,
-        (Some(names), Some(scene)) => {
-            let Scene { scene, name } = scene.get().clone();
-            Some(Asked { stabilizers: names.parse().map_err(errors::input)?, scene, name })
-        }
-        _ => {
-            return Err(errors::input(
-                "stabilizers and scene go together: mass, servo period, delay and environment of the scene set their numbers",
-            ));
-        }
-    };
+    let asked = asked(stabilizers, scene)?;
     let settings = Settings {
         columns: columns.map_err(errors::input)?,
         scales: scales.collect::<Result<_, _>>().map_err(errors::input)?,
@@ -132,6 +121,21 @@ pub(crate) fn observe(
             ..Told::default()
         })
     })
+}
+
+/// The stabilizers to replay the log with, and the scene that sets their numbers.
+fn asked(names: Option<&str>, scene: Option<&Bound<'_, Scene>>) -> PyResult<Option<Asked>> {
+    match (names, scene) {
+        (None, None) => Ok(None),
+        (Some(names), Some(scene)) => {
+            let stabilizers = names.parse().map_err(errors::input)?;
+            let Scene { scene, name } = scene.get().clone();
+            Ok(Some(Asked { stabilizers, scene, name }))
+        }
+        _ => Err(errors::input(
+            "stabilizers and scene go together: mass, servo period, delay and environment of the scene set their numbers",
+        )),
+    }
 }
 
 /// A log that counts what is read of it, and ends at an interrupt.

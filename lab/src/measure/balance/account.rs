@@ -1,6 +1,7 @@
 //! Energies of a run by cause.
 
-use lyapunov::Signal;
+use lyapunov::effects::{Random, Source};
+use lyapunov::{Scalar, Signal};
 use serde::Serialize;
 
 use super::body::{Body, Masses, Passed};
@@ -122,6 +123,8 @@ pub(super) struct Account<V: Signal> {
     scene: Scene,
     law: Law<V>,
     body: Body,
+    /// The time that the plant moves from one tick to the next, s.
+    span: Box<dyn FnMut() -> f64>,
     share: Share<V>,
     ticks: u64,
     last: Option<(Moment<V>, Samples<V>)>,
@@ -146,6 +149,7 @@ impl<V: Space<Scalar = f64>> Account<V> {
     pub(super) fn new<S: Space<Double = V>>(scene: &Scene, body: Body) -> Self {
         Self {
             body,
+            span: spans::<S>(scene),
             share: Share::new::<S>(scene),
             ticks: 0,
             last: None,
@@ -256,8 +260,8 @@ impl<V: Space<Scalar = f64>> Account<V> {
         now: &Moment<V>,
         after: &Samples<V>,
     ) -> Balance {
-        let index = self.ticks - 1;
-        let passed = self.body.pass(index, last.masses, now.masses, last.acting);
+        let (index, span) = (self.ticks - 1, (self.span)());
+        let passed = self.body.pass((index, span), last.masses, now.masses, last.acting);
         let Passed { hand, push, burnt: [device, operator, link], gained, stored } = passed;
         self.moved += stored;
         let way = now.masses.device[0] - last.masses.device[0];
@@ -269,7 +273,7 @@ impl<V: Space<Scalar = f64>> Account<V> {
             Motion { time, position, velocity, acceleration: V::zero() }
         };
         let (from, to) = (real(last, before.truly.time), real(now, after.truly.time));
-        let wall = self.law.work(from, to);
+        let wall = self.law.work(from, to, span);
         let slow = (last.environment - filtered).inner(way);
         // Without a filter the estimates differ by rounding, which belongs to the rest, whatever that is called.
         let has_filter = self.scene.effects.filter.is_some();
@@ -290,6 +294,16 @@ impl<V: Space<Scalar = f64>> Account<V> {
             ..Balance::default()
         }
     }
+}
+
+/// The time that the plant of `scene` moves on each tick, in the scalar of `S`: of jitter the numbers that the plant drew.
+fn spans<S: Space>(scene: &Scene) -> Box<dyn FnMut() -> f64> {
+    let period = scene.period();
+    let Some(jitter) = scene.effects.jitter else { return Box::new(move || period) };
+    let mut random = Random::new(|_| jitter.seed.get(), Source::Jitter);
+    let of = S::Scalar::of;
+    let (period, deviation) = (of(period), of(jitter.deviation.get()));
+    Box::new(move || (period + deviation * random.normal::<S::Scalar>()).larger(of(0.0)).lane(0))
 }
 
 /// Adds a tick that ends at `time`.

@@ -6,7 +6,7 @@ use lyapunov::{
     ParameterError,
     trajectories::{Constant, Ramp, RampParts, Samples, Sine, Step, Trajectory},
 };
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, RowDVector};
 
 use crate::files::scene::{Motion, Scene};
 use crate::simulate::{Space, Tick};
@@ -37,6 +37,8 @@ struct Shape {
     /// `∫ v² dt` of the device, of the operator and of one relative to the other, from the state at the start of a
     /// tick.
     burnt: [DMatrix<f64>; 3],
+    /// The device's velocity at the end of a tick, from the same state.
+    velocity: RowDVector<f64>,
 }
 
 /// Position and velocity of operator and device at a tick; both are the same without a link.
@@ -106,10 +108,10 @@ impl Body {
         Ok(Self { scene, rest, push: Box::new(push), shape, next: 0 })
     }
 
-    /// The energies from `tick` to the next, while the body moves `from` to `to` under `effort` at the port.
+    /// The energies from `tick` to the next, while the body moves `from` to `to` for `span` s under `effort` at the port.
     pub(super) fn pass<V: Space<Scalar = f64>>(
         &mut self,
-        tick: u64,
+        (tick, span): (u64, f64),
         from: Masses<V>,
         to: Masses<V>,
         effort: V,
@@ -124,7 +126,8 @@ impl Body {
         self.grip(tick);
         let along = |axis: usize| {
             let (from, to) = (from.along(axis), to.along(axis));
-            self.pass_along(axis, (tick, before[axis]), from, to, effort.axis(axis))
+            let passed = self.pass_along(axis, (tick, before[axis]), from, to, effort.axis(axis));
+            Passed { burnt: passed.burnt.map(|it| it * (span / self.scene.period())), ..passed }
         };
         axes.map(along).reduce(Add::add).unwrap_or_default()
     }
@@ -141,7 +144,10 @@ impl Body {
         let rest = self.rest(tick, axis);
         let push = if axis == 0 { (self.push)(tick) } else { 0.0 };
         let (start, stored) = (self.stored(from, rest), self.stored(to, rest));
-        let state = self.state(from, rest, effort - push);
+        let mut state = self.state(from, rest, effort - push);
+        if self.scene.effects.friction.is_some() {
+            self.shape.rub(&mut state, to.device[1]);
+        }
         let burnt = &self.shape.burnt;
         let burn =
             |index: usize, damping: f64| damping * (state.transpose() * &burnt[index] * &state)[0];
@@ -223,14 +229,27 @@ impl Shape {
                 (rates, [row(1.0, 0.0), row(0.0, 1.0), row(1.0, -1.0)])
             }
         };
-        let burnt = outputs.map(|row| squared(&rates, &DVector::from_vec(row), scene.period()));
-        Self { stiffness, damping, burnt }
+        let [device, operator, link] =
+            outputs.map(|row| squared(&rates, &DVector::from_vec(row), scene.period()));
+        let (velocity, burnt) = (device.1.row(1).into_owned(), [device.0, operator.0, link.0]);
+        Self { stiffness, damping, burnt, velocity }
+    }
+
+    /// Adds to the effort in `state` the friction that, held over the tick, leads to the device's velocity `end`.
+    fn rub(&self, state: &mut DVector<f64>, end: f64) {
+        let effort = state.len() - 1;
+        let friction = (end - (&self.velocity * &*state)[0]) / self.velocity[effort];
+        state[effort] += if friction.is_finite() { friction } else { 0.0 };
     }
 }
 
-/// `∫ (c exp(A t))ᵀ (c exp(A t)) dt` from 0 to `period`: by its series over a short part, which is then doubled, `G(2
-/// t) = G(t) + exp(A t)ᵀ G(t) exp(A t)`.
-fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<f64> {
+/// `∫ (c exp(A t))ᵀ (c exp(A t)) dt` from 0 to `period`, and `exp(A period)`: by their series over a short part, which is
+/// then doubled, `G(2 t) = G(t) + exp(A t)ᵀ G(t) exp(A t)`.
+fn squared(
+    rates: &DMatrix<f64>,
+    output: &DVector<f64>,
+    period: f64,
+) -> (DMatrix<f64>, DMatrix<f64>) {
     // In units in which rows and columns are alike a stiff link takes as many doublings as its frequency asks for, and not
     // as many as its stiffness over a small mass; each doubles the rounding. They are powers of two, so they round nothing.
     let mut rates = rates.clone();
@@ -254,7 +273,8 @@ fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> DMatrix<
         sum = &sum + moved.transpose() * &sum * &moved;
         moved = &moved * &moved;
     }
-    DMatrix::from_fn(n, n, |row, column| sum[(row, column)] / units[row] / units[column])
+    let sum = DMatrix::from_fn(n, n, |row, column| sum[(row, column)] / units[row] / units[column]);
+    (sum, DMatrix::from_fn(n, n, |row, column| units[row] * moved[(row, column)] / units[column]))
 }
 
 /// Units, powers of two, in which rows and columns of `rates` are alike: `D⁻¹ A D` (Parlett and Reinsch 1969). The sweeps

@@ -13,6 +13,7 @@ use crate::measure::fate::Fate;
 use crate::measure::given::device_damper;
 use crate::measure::share::Share;
 use crate::measure::verdict::{Verdict, Yardstick};
+use crate::measure::watch::GoOn;
 use crate::simulate::{
     Criterion, F64x8, Fitted, Instructions, Rollout, Scenes, Space, Tick, in_space,
 };
@@ -60,7 +61,7 @@ impl Runs<'_> {
     /// A parameter out of the range of the scalar.
     pub(crate) fn measured<M: Metering>(
         self,
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Option<Vec<Judged<M::Reading>>>, Refused> {
         let work = Work { runs: self, go_on };
         let mut done = vec![None; self.scenes.len()];
@@ -90,7 +91,7 @@ impl Runs<'_> {
 /// Runs that can be stopped.
 struct Work<'a> {
     runs: Runs<'a>,
-    go_on: &'a (dyn Fn() -> bool + Sync),
+    go_on: &'a GoOn<'a>,
 }
 
 impl Work<'_> {

@@ -46,15 +46,6 @@ impl<V: Space> Assembly<V> {
         Self::put_together(scenes, None, Fitted::on(scenes, &tables)?)
     }
 
-    /// The same loop, with `seen` recording what the stabilizer and the port do.
-    pub(crate) fn watched(
-        scenes: Scenes<'_>,
-        seen: &Seen<V>,
-        fitted: Fitted<V>,
-    ) -> Result<Self, ParameterError> {
-        Self::put_together(scenes, Some(seen), fitted)
-    }
-
     /// The loop of `scene` with `stabilizer` instead of the scene's own.
     ///
     /// # Errors
@@ -74,7 +65,11 @@ impl<V: Space> Assembly<V> {
         effort
     }
 
-    fn put_together(
+    /// The loop of the scenes behind what is `fitted`; `seen`, if any, records what the stabilizer and the port do.
+    ///
+    /// # Errors
+    /// As [`Assembly::of`].
+    pub(crate) fn put_together(
         scenes: Scenes<'_>,
         seen: Option<&Seen<V>>,
         fitted: Fitted<V>,

@@ -13,7 +13,7 @@ pub struct Seen<V: Signal> {
     stabilizer: Rc<Sight<V>>,
     /// The environment's own effort, where a port around it changes that.
     environment: Rc<Cell<Option<V>>>,
-    command: Rc<Cell<V>>,
+    command: Rc<Cell<Option<V>>>,
     pub(super) operator: Operator<V>,
 }
 
@@ -37,8 +37,8 @@ impl<V: Signal> Default for Seen<V> {
                 environment: Cell::new(zero),
                 correction: Cell::new(Correction::none(zero)),
             }),
-            environment: Rc::new(Cell::new(None)),
-            command: Rc::new(Cell::new(zero)),
+            environment: Rc::default(),
+            command: Rc::default(),
             operator: Operator::default(),
         }
     }
@@ -51,7 +51,8 @@ impl<V: Signal> Seen<V> {
         let Sight { measured, environment, correction } = &*self.stabilizer;
         let (measured, correction) = (measured.get(), correction.get());
         let environment = self.environment.get().unwrap_or_else(|| environment.get());
-        let (command, operator) = (self.command.get(), self.operator.get());
+        let command = self.command.get().unwrap_or_else(V::zero);
+        let operator = self.operator.get();
         Tick { time, truth, measured, environment, correction, command, applied, operator }
     }
 
@@ -61,13 +62,13 @@ impl<V: Signal> Seen<V> {
     }
 
     /// `port`, an environment inside a port that changes its efforts, recording them.
-    pub(super) fn environment<P>(&self, port: P) -> Asked<P, V> {
-        Asked { port, seen: Rc::clone(&self.environment) }
+    pub(super) fn environment<P>(&self, port: P) -> Heard<P, V> {
+        Heard { port, seen: Rc::clone(&self.environment) }
     }
 
     /// `port`, recording its efforts.
-    pub(super) fn command<P>(&self, port: P) -> Commanding<P, V> {
-        Commanding { port, seen: Rc::clone(&self.command) }
+    pub(super) fn command<P>(&self, port: P) -> Heard<P, V> {
+        Heard { port, seen: Rc::clone(&self.command) }
     }
 }
 
@@ -89,38 +90,20 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Recorded<S, V> {
 }
 
 /// Port whose efforts are recorded.
-pub(super) struct Commanding<P, V> {
-    port: P,
-    seen: Rc<Cell<V>>,
-}
-
-impl<V: Signal, P: OnePort<V>> OnePort<V> for Commanding<P, V> {
-    #[inline]
-    fn respond(&mut self, sample: &PortSample<V>) -> V {
-        let effort = self.port.respond(sample);
-        self.seen.set(effort);
-        effort
-    }
-
-    #[inline]
-    fn correction(&self) -> Correction<V> {
-        self.port.correction()
-    }
-}
-
-/// Environment whose efforts are recorded.
-pub(super) struct Asked<P, V> {
+pub(super) struct Heard<P, V> {
     port: P,
     seen: Rc<Cell<Option<V>>>,
 }
 
-impl<V: Signal, P: OnePort<V>> OnePort<V> for Asked<P, V> {
+impl<V: Signal, P: OnePort<V>> OnePort<V> for Heard<P, V> {
+    #[inline]
     fn respond(&mut self, sample: &PortSample<V>) -> V {
         let effort = self.port.respond(sample);
         self.seen.set(Some(effort));
         effort
     }
 
+    #[inline]
     fn correction(&self) -> Correction<V> {
         self.port.correction()
     }

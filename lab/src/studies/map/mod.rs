@@ -25,6 +25,7 @@ mod varied;
 mod vary;
 mod workload;
 
+pub use crate::measure::GoOn;
 pub use crate::measure::runs::{Measure, Measures, Outcome};
 pub use crate::simulate::Instructions;
 pub use crate::simulate::family::BasicName;
@@ -33,7 +34,7 @@ pub use bounds::{Bounds, OverExact};
 pub use checkpoint::{Checkpoint, CheckpointError, table_name};
 pub use document::{Computation, document};
 pub use grid::{Grid, GridError};
-pub use kernel::{Ends, GoOn, Kernel, Lanes, Loops, Numbers, Recipe};
+pub use kernel::{Ends, Kernel, Lanes, Loops, Numbers, Recipe};
 pub use merge::{Merge, MergeError, merge};
 pub use method::Method;
 pub use picture::{NamedFigure, figure_names, figures};

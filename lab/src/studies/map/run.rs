@@ -13,7 +13,7 @@ use super::threads;
 use super::workload::Workload;
 use crate::files::Scene;
 use crate::measure::runs::{AllMeasures, Judged, Measures, Outcome, Runs};
-use crate::measure::{Verdict, Yardstick};
+use crate::measure::{GoOn, Verdict, Yardstick};
 use crate::show::OutputError;
 use crate::simulate::Instructions;
 use crate::simulate::family::{BasicName, StabilizerName};
@@ -108,7 +108,7 @@ impl<'a> Run<'a> {
     pub fn cells(
         &self,
         cells: std::ops::Range<u64>,
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
         put: &mut TakeOutcomes<'_>,
     ) -> Result<Workload, RunError> {
         let mut effort = Workload::default();
@@ -163,7 +163,7 @@ impl<'a> Run<'a> {
         &self,
         member: StabilizerName,
         cells: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Vec<Verdict>, RunError> {
         let (mut all, mut left) = (Vec::with_capacity(cells.len()), cells);
         while let Some(&first) = left.first() {
@@ -192,7 +192,7 @@ impl<'a> Run<'a> {
         placed: Placed<'_>,
         basic_name: BasicName,
         band: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Vec<(Verdict, Yardstick)>, RunError> {
         self.shared(band, |cells| {
             let verdicts = placed.kernel.verdicts(basic_name, &placed.cells(cells), go_on);
@@ -213,7 +213,7 @@ impl<'a> Run<'a> {
         &self,
         kernel: Option<Placed<'_>>,
         band: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
         effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         let basic = |member: &StabilizerName| {
@@ -241,7 +241,7 @@ impl<'a> Run<'a> {
         placed: Placed<'_>,
         basic_name: BasicName,
         band: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
         effort: &mut Workload,
     ) -> Result<Vec<Outcome>, RunError> {
         let began = Instant::now();
@@ -271,7 +271,7 @@ impl<'a> Run<'a> {
         &self,
         members: &[StabilizerName],
         band: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         match members {
             [] => Ok(vec![Vec::new(); band.len()]),
@@ -283,7 +283,7 @@ impl<'a> Run<'a> {
         &self,
         cells: &[u64],
         members: &[StabilizerName],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Option<Vec<Vec<Outcome>>>, RunError> {
         let scenes = cells.iter().map(|cell| self.grid.scene_of(*cell));
         let scenes = scenes.collect::<Result<Vec<_>, _>>()?;
@@ -303,7 +303,7 @@ impl<'a> Run<'a> {
         member: StabilizerName,
         cells: &[u64],
         scenes: &[Scene],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Option<Vec<Outcome>>, RunError> {
         let written = self.grid.written(cells, scenes, member)?;
         let scenes = written.as_deref().unwrap_or(scenes);
@@ -357,7 +357,7 @@ impl<'a> Run<'a> {
     fn by_itself(
         &self,
         band: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
         effort: &mut Workload,
     ) -> Result<Vec<Vec<Outcome>>, RunError> {
         let began = Instant::now();

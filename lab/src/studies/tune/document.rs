@@ -68,7 +68,7 @@ pub fn document(scene: &str, tuning: &Tuning, tuned: &[Tuned]) -> String {
         seed: tuning.seed,
         settings: tuning.trials + 1,
         runs_of_each: tuning.runs,
-        moved: tuning.moves,
+        moved: tuning.moved(tuned),
         stabilizers: tuned.iter().map(entry).collect(),
     };
     json::text(&document)

@@ -11,7 +11,8 @@ use crate::show::html;
 
 /// The page of a tuning of the scene called `name`, as HTML; `command` made it.
 pub fn page(name: &str, tuning: &Tuning, tuned: &[Tuned], command: &str) -> String {
-    let Tuning { objective, trials, runs, seed, moves } = tuning;
+    let Tuning { objective, trials, runs, seed, .. } = tuning;
+    let moves = tuning.moved(tuned);
     let judges = tuned.first().map_or(0, |one| one.judged[1].runs());
     let percent = |share: f64| format!("{} %", 100.0 * share);
     let scenes = tuned
@@ -34,8 +35,9 @@ pub fn page(name: &str, tuning: &Tuning, tuned: &[Tuned], command: &str) -> Stri
         (costs(*objective, tuned).to_html("short"))
         @for remark in remarks(*objective, tuned) { p { (remark) } }
         p {
-            "Both settings on " (judges) " runs that the search never saw. Each run moves the clock's phase over "
-            (percent(moves.phase)) " of a tick, and by up to " (percent(moves.mass)) " the masses, "
+            "Both settings on " (judges) " runs that the search never saw. Each run moves "
+            @if moves.phase > 0.0 { "the clock's phase over " (percent(moves.phase)) " of a tick, and " }
+            "by up to " (percent(moves.mass)) " the masses, "
             (percent(moves.damping)) " the dampings and " (percent(moves.stiffness)) " the stiffness of the hand. \
              The change is the mean over the runs that are bounded in both, run by run."
         }

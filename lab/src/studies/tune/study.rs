@@ -132,6 +132,11 @@ impl Tuning {
         runs * (trials + 1) + 2 * runs * JUDGES
     }
 
+    /// The moves that the runs of the `tuned` stabilizers, which share a scene, made.
+    pub(super) fn moved(&self, tuned: &[Tuned]) -> Moves {
+        tuned.first().map_or(self.moves, |one| self.moves.of(&one.scene))
+    }
+
     /// Checks that one of `names` has a number to tune on `scene`.
     ///
     /// # Errors

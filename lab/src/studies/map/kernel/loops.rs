@@ -18,13 +18,11 @@ use super::rollout::{Loop, STRETCH};
 use super::sure::PERIODS;
 #[cfg(target_arch = "x86_64")]
 use super::{F64s, JUDGED, Proven, V3, V4};
+use crate::measure::GoOn;
 use crate::simulate::{F64x8, Instructions};
 
 /// Ticks between two questions whether to go on, whole stretches.
 const SLICE: u64 = STRETCH << 10;
-
-/// Whether to go on.
-pub type GoOn<'a> = dyn Fn() -> bool + Sync + 'a;
 
 /// Maker of the stabilizer of every loop.
 pub trait Recipe: Sync {

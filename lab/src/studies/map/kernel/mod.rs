@@ -42,13 +42,13 @@ use crate::files::scene::{
 use crate::measure::runs::Measures;
 #[cfg(doc)]
 use crate::measure::runs::Runs;
-use crate::measure::{Verdict, Yardstick};
+use crate::measure::{GoOn, Verdict, Yardstick};
 use crate::simulate::family::{BasicName, Settings};
 use crate::simulate::{Aligned, Instructions};
 use crate::studies::map::grid::{Grid, GridError};
 use batch::Batch;
 pub use ends::Ends;
-pub use loops::{GoOn, Loops, Recipe};
+pub use loops::{Loops, Recipe};
 use meter::{Everything, Meter, Verdicts};
 pub use numbers::Numbers;
 use parts::Laned;
@@ -153,7 +153,7 @@ impl Kernel {
         &self,
         basic_name: BasicName,
         cells: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Option<Vec<(Verdict, Yardstick)>>, ParameterError> {
         self.run::<Judge>(Run { kernel: self, basic_name, cells, go_on })
     }
@@ -183,7 +183,7 @@ impl Kernel {
         &self,
         basic_name: BasicName,
         cells: &[u64],
-        go_on: &(dyn Fn() -> bool + Sync),
+        go_on: &GoOn<'_>,
     ) -> Result<Option<Vec<Measures>>, ParameterError> {
         self.run::<MeasureAll>(Run { kernel: self, basic_name, cells, go_on })
     }
@@ -263,7 +263,7 @@ struct Run<'a> {
     kernel: &'a Kernel,
     basic_name: BasicName,
     cells: &'a [u64],
-    go_on: &'a (dyn Fn() -> bool + Sync),
+    go_on: &'a GoOn<'a>,
 }
 
 /// Meter of rollouts, on lanes of any scalar.

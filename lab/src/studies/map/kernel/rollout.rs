@@ -9,6 +9,7 @@ use super::meter::{Meter, Watch};
 use super::parts::{Accounted, Bodies, Laned};
 use super::port::StabilizedWall;
 use super::seats::Seats;
+use crate::measure::GoOn;
 
 /// Ticks between two checks whether groups are decided.
 pub(super) const STRETCH: u64 = 64;
@@ -24,7 +25,7 @@ pub(super) struct Rollouts<'a, T: Batch, S, M: Meter<T>> {
     seats: Seats<'a>,
     readings: Vec<M::Reading>,
     bodies: Bodies<T>,
-    go_on: &'a (dyn Fn() -> bool + Sync),
+    go_on: &'a GoOn<'a>,
     ports: std::marker::PhantomData<S>,
 }
 
@@ -146,11 +147,7 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
 }
 
 impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
-    pub(super) fn new(
-        seats: Seats<'a>,
-        empty: M::Reading,
-        go_on: &'a (dyn Fn() -> bool + Sync),
-    ) -> Self {
+    pub(super) fn new(seats: Seats<'a>, empty: M::Reading, go_on: &'a GoOn<'a>) -> Self {
         let readings = vec![empty; seats.len()];
         let (bodies, ports) = (Bodies::none(), std::marker::PhantomData);
         Self { seats, readings, bodies, go_on, ports }
