@@ -152,27 +152,22 @@ impl Summary {
     /// Writes the scene, as far as it differs from scene to scene.
     fn write_scene(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let scene = &self.scene;
-        write!(
-            f,
-            "  run          {} s at {} Hz",
-            given(scene.duration.get()),
-            given(scene.servo_rate.get())
-        )?;
+        let (duration, rate) = (given(scene.duration.get()), given(scene.servo_rate.get()));
+        let mut run = vec![format!("{duration} s at {rate} Hz")];
         if scene.environment_ratio() > 1 {
-            write!(f, ", environment at {} Hz", given(scene.environment_rate()))?;
+            run.push(format!("environment at {} Hz", given(scene.environment_rate())));
         }
         if scene.velocity == Velocity::Exact {
-            f.write_str(", exact velocity")?;
+            run.push("exact velocity".to_owned());
         }
-        if let Some(integrator) = described::integrator(scene.integrator) {
-            write!(f, ", {integrator}")?;
-        }
+        run.extend(described::integrator(scene.integrator));
         if scene.scalar == Scalar::F32 {
-            f.write_str(", in f32")?;
+            run.push("in f32".to_owned());
         }
         if scene.dimensions() > 1 {
-            write!(f, ", in {} dimensions", scene.dimensions())?;
+            run.push(format!("in {} dimensions", scene.dimensions()));
         }
+        f.write_str(&listed("  run          ", &run))?;
         let environment = described::environment(scene);
         if scene.environment.wall().is_some() {
             write!(f, "\n  wall         {environment}")?;

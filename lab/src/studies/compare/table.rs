@@ -48,7 +48,8 @@ const PHYSICAL: [Column; 6] = [
 ];
 
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
+    let setting = format!("{}: {}", comparison.name, Setting(&comparison.scene));
+    writeln!(f, "{}", folded("", &setting))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
     for remark in remarks(comparison) {
         writeln!(f, "{remark}")?;

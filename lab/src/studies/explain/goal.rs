@@ -15,7 +15,7 @@ pub(super) enum Goal {
 impl Goal {
     pub(super) fn is_reached(self, verdict: Verdict) -> bool {
         match self {
-            Self::Bounded => verdict != Verdict::Grows,
+            Self::Bounded => verdict.is_bounded(),
             Self::Settled => verdict == Verdict::Settles,
         }
     }
@@ -37,6 +37,7 @@ impl Explanation {
         let can_settle = self.verdict_by == Yardstick::Distance;
         match self.verdict {
             _ if self.peak_force == 0.0 || self.is_undisturbed || self.is_transient() => None,
+            Verdict::TooShort => None,
             Verdict::Grows => Some(Goal::Bounded),
             Verdict::Swinging if is_unstable && can_settle => Some(Goal::Settled),
             _ if is_unstable && self.scene.stabilizer.is_none() => Some(Goal::Bounded),
@@ -54,7 +55,9 @@ impl Explanation {
             }
             None if self.is_undisturbed => hint::undisturbed(&self.scene),
             None if self.is_transient() => hint::TRANSIENT.to_owned(),
-            None if self.verdict == Verdict::TooShort => "the run is too short to judge".to_owned(),
+            None if self.verdict == Verdict::TooShort => {
+                "the run is too short to judge: give it a longer duration".to_owned()
+            }
             None => "the run does not grow, so no change of the loop was tried".to_owned(),
         })
     }

@@ -96,7 +96,7 @@ impl<'a> Hint<'a> {
         let cap = scene.written_cap().filter(|cap| *cap < scene.default_cap())?;
         let (cap, most) = (given(cap), given(scene.default_cap()));
         let told = format!(
-            "the damping cap {cap} m / T left a debt unpaid; try a larger damping_cap, up to {most}"
+            "the damping cap {cap} m / T left a debt unpaid; a larger damping_cap, up to {most}, may help"
         );
         (*shortfall > 0.0).then_some(told)
     }

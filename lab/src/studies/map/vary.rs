@@ -76,6 +76,12 @@ impl Vary {
     pub(super) fn write(&self, tree: &mut Value, value: f64) -> Result<(), VaryError> {
         let number = match self.is_whole {
             false => Value::Float(value),
+            // From there on an `f64` steps over whole numbers.
+            true if value.abs() >= WHOLE => {
+                let problem = format!("`{}` = {value:?} is too large for an axis", self.key);
+                let remedy = "choose whole numbers below 2^53; a scene takes larger ones";
+                return Err(VaryError::new(problem, remedy));
+            }
             true if value.fract() == 0.0 => Value::Integer(value as i64),
             true => {
                 let problem = format!("`{}` takes whole numbers only, not {value:?}", self.key);
@@ -99,6 +105,9 @@ impl Vary {
         }
     }
 }
+
+/// The whole numbers below it are all numbers of an axis.
+const WHOLE: f64 = (1u64 << 53) as f64;
 
 /// The most values of an axis that an error proposes.
 const PROPOSED: u64 = 32;

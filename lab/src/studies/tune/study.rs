@@ -27,6 +27,8 @@ pub enum TuneError {
         term: Term,
         /// What the scene lacks.
         lacks: &'static str,
+        /// The terms that it has a number for.
+        others: Vec<Term>,
     },
     /// A stabilizer for one dimension on a scene in a space.
     Axes(Conflict),
@@ -43,15 +45,16 @@ pub enum TuneError {
 impl fmt::Display for TuneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Objective { term, lacks } => {
+            Self::Objective { term, lacks, others } => {
                 write!(
                     f,
-                    "the objective `{}` needs {lacks}, which the scene has not",
+                    "the objective `{}` needs {lacks}, which the scene has not\n  = ",
                     term.name()
                 )?;
-                let others = Term::ALL.into_iter().filter(|other| other != term).map(Term::name);
-                let others = others.collect::<Vec<_>>().join(", ");
-                write!(f, "\n  = choose others with --objective: {others}")
+                match &others.iter().map(|other| other.name()).collect::<Vec<_>>()[..] {
+                    [] => write!(f, "there is no objective for it: compare its stabilizers"),
+                    names => write!(f, "choose others with --objective: {}", names.join(", ")),
+                }
             }
             Self::Axes(conflict) => {
                 write!(f, "{}\n  = {}", conflict.problem(), conflict.remedy())
@@ -223,16 +226,15 @@ impl Tuning {
     fn fits(&self, scene: &Scene) -> Result<(), TuneError> {
         let has_rest = Criterion::of(scene).place().is_some();
         let has_wall = scene.environment.surface_stiffness().is_some();
-        for term in self.objective.terms() {
-            let (has, lacks) = match term {
-                Term::Settling => (has_rest, "a place where the motion comes to rest"),
-                Term::ForceError | Term::Stiffness => (has_wall, "a wall or a solid"),
-            };
-            if !has {
-                return Err(TuneError::Objective { term, lacks });
-            }
-        }
-        Ok(())
+        let needs = |term| match term {
+            Term::Settling => (has_rest, "a place where the motion comes to rest"),
+            Term::ForceError | Term::Stiffness => (has_wall, "a wall or a solid"),
+        };
+        let Some(term) = self.objective.terms().find(|term| !needs(*term).0) else {
+            return Ok(());
+        };
+        let others = Term::ALL.into_iter().filter(|other| needs(*other).0).collect();
+        Err(TuneError::Objective { term, lacks: needs(term).1, others })
     }
 }
 

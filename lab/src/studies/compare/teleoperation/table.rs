@@ -4,17 +4,17 @@ use super::comparison::Comparison;
 use crate::files::teleoperation::Teleoperator;
 use crate::measure::teleoperation::{BAND, BOUND, Score};
 use crate::show::table::{Cell, Heading, Table};
-use crate::text::{found, given};
+use crate::text::{counted, found, given};
 
 /// The teleoperator in one line.
 pub(super) fn setting(file: &Teleoperator) -> String {
     let (duration, rate) = (given(file.duration.get()), given(file.servo_rate.get()));
     let (delay, spread) = (file.channel.delay.get(), file.channel.spread.get());
-    let mut setting = format!("{duration} s at {rate} Hz, {delay}");
-    if spread > 0 {
-        setting += &format!(" to {}", delay + spread);
-    }
-    setting += " ticks each way";
+    let ticks = match spread {
+        0 => counted(delay.into(), "tick"),
+        _ => format!("{delay} to {} ticks", delay + spread),
+    };
+    let mut setting = format!("{duration} s at {rate} Hz, {ticks} each way");
     if file.channel.loss.get() > 0.0 {
         setting += &format!(", {} % lost", given(100.0 * file.channel.loss.get()));
     }

@@ -21,6 +21,7 @@ impl Sweep {
             h2 { "Which runs settle, and which stay bounded" }
             (html::figure(Some("verdicts"), &self.verdicts(), &html! { "The verdict on the run at each value." }))
             (self.counts().to_html("short"))
+            (self.stretches().to_html("short"))
             p { "Settles at, bounded at: the stretches of neighbouring values that all settle, and that all settle or swing." }
             h2 { "Curves" }
             (html::figure(Some("sweep"), &self.curves(), &html! {

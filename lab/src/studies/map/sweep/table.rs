@@ -7,13 +7,13 @@ use crate::measure::Verdict;
 use crate::show::table::{Heading, Table};
 use crate::studies::compare::Column;
 use crate::studies::map::remarks::remarks;
-use crate::text::given;
+use crate::text::{found, given};
 
 /// The most rows that the terminal shows.
 const SHOWN: usize = 60;
 
 /// The most stretches of a row that are told.
-const STRETCHES: usize = 3;
+const STRETCHES: usize = 2;
 
 /// The columns of the runs.
 const COLUMNS: [Column; 6] = [
@@ -26,7 +26,7 @@ const COLUMNS: [Column; 6] = [
 ];
 
 impl Sweep {
-    /// For each stabilizer how many values have each verdict, and on which stretches of values its runs settle and stay bounded.
+    /// For each stabilizer how many values have each verdict.
     pub(super) fn counts(&self) -> Table {
         let headings = [
             Heading::word("stabilizer"),
@@ -34,25 +34,32 @@ impl Sweep {
             Heading::number("swinging"),
             Heading::number("grows"),
             Heading::number("too short"),
-            Heading::number("settles at"),
-            Heading::number("bounded at"),
         ];
         let rows = self.stabilizers.iter().enumerate().map(|(index, member)| {
             let verdicts = || self.points.iter().map(|point| point.scores[index].verdict);
             let count = |it: Verdict| verdicts().filter(|verdict| *verdict == it).count();
             let counts = Verdict::ALL.map(|verdict| count(verdict).to_string().into());
-            let stretches = [|it| it == Verdict::Settles, Verdict::is_bounded];
-            let at = stretches.map(|has| self.stretches(index, has).into());
-            std::iter::once(member.name().into()).chain(counts).chain(at)
+            std::iter::once(member.name().into()).chain(counts)
         });
         Table::new(headings).with_rows(rows.map(Iterator::collect::<Vec<_>>))
     }
 
+    /// For each stabilizer the stretches of values on which its runs settle and stay bounded.
+    pub(super) fn stretches(&self) -> Table {
+        let headings = ["stabilizer", "settles at", "bounded at"].map(Heading::word);
+        let rows = self.stabilizers.iter().enumerate().map(|(index, member)| {
+            let settles = self.stretches_where(index, |it| it == Verdict::Settles);
+            let bounded = self.stretches_where(index, Verdict::is_bounded);
+            [member.name().into(), settles.into(), bounded.into()]
+        });
+        Table::new(headings).with_rows(rows)
+    }
+
     /// The stretches of neighbouring values at which all verdicts on stabilizer `index` are such.
-    fn stretches(&self, index: usize, are_such: fn(Verdict) -> bool) -> Option<String> {
+    fn stretches_where(&self, index: usize, are_such: fn(Verdict) -> bool) -> Option<String> {
         let is_such = |at: &usize| are_such(self.points[*at].scores[index].verdict);
         let such: Vec<usize> = (0..self.points.len()).filter(is_such).collect();
-        let value = |at: usize| given(self.points[at].value);
+        let value = |at: usize| found(self.points[at].value);
         let all = such.chunk_by(|at, next| at + 1 == *next).map(|stretch| match *stretch {
             [first, .., last] => format!("{} to {}", value(first), value(last)),
             _ => value(stretch[0]).to_string(),
@@ -83,7 +90,7 @@ impl fmt::Display for Sweep {
         for note in remarks(&self.scene, &[&self.x]) {
             writeln!(f, "{note}")?;
         }
-        write!(f, "\n{}", self.counts())?;
+        write!(f, "\n{}\n{}", self.counts(), self.stretches())?;
         match self.rows().count() {
             count if count <= SHOWN => write!(f, "\n{}", self.runs()),
             count => writeln!(f, "\n{count} rows: --out DIR or --json has them"),
