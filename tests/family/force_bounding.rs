@@ -11,7 +11,7 @@ use lyapunov::{
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::adversary::{DAMPING, least};
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 use crate::worked::{A, B, felt, near};
 
 fn published() -> ForceBounding<f64> {
@@ -75,14 +75,7 @@ fn a_matrix_is_kept_and_tight() {
             energy += force.dot(&moved) + moved.dot(&(damping * moved)) / PERIOD;
             least = least.min(energy);
             emptied += i32::from(moved == worst && energy < 1e-9 * before);
-            sample = HeldTick {
-                period: PERIOD,
-                position: Vector3::zeros(),
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample();
+            sample = held_tick(Vector3::zeros(), moved, force);
         }
         assert!(least >= -1e-15, "{least:e} J");
         assert_eq!(emptied > 0, share == 1.0);
@@ -135,14 +128,7 @@ fn it_contains_the_tight_energy_bounding() {
         for _ in 0..200 {
             let moved = dice.within(3e-4);
             position += moved;
-            let sample = HeldTick {
-                period: PERIOD,
-                position,
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample();
+            let sample = held_tick(position, moved, force);
             let wish = dice.within(1.0);
             force = tight.stabilize(&sample, wish).effort;
             let most = bounding.stabilize(&sample, 1e6).effort;

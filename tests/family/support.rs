@@ -1,7 +1,7 @@
 //! Numbers to try, and ports to try them on.
 
 use lyapunov::{
-    DampingLimit, OnePort, Plant, Popc, PortEnergy, Scalar, Signal,
+    DampingLimit, HeldTick, OnePort, Plant, Popc, PortEnergy, PortSample, Scalar, Signal,
     bodies::{Body, Impedance},
 };
 
@@ -35,6 +35,13 @@ impl Dice {
     pub(crate) fn signal<V: Signal>(&mut self, size: f64) -> V {
         V::zero().map(|_| V::Scalar::of(self.within(size)))
     }
+}
+
+/// A sample over [`PERIOD`] of a displacement at a steady velocity.
+pub(crate) fn held_tick<V: Signal>(position: V, displacement: V, applied: V) -> PortSample<V> {
+    let period = V::Scalar::of(PERIOD);
+    let velocity = displacement.map(|it| it / period);
+    HeldTick { period, position, velocity, displacement, applied }.sample()
 }
 
 /// A device of 0.2 kg and 1 N·s/m in a hand of 200 N/m.

@@ -2,13 +2,13 @@
 
 use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, Popc, PortEnergy, PortSample,
-    Sampled, Scalar, Snapshot, Stabilizer,
+    AdmittanceSample, Correction, DampingLimit, HeldFlow, Popc, PortEnergy, PortSample, Sampled,
+    Scalar, Snapshot, Stabilizer,
     stabilizers::{Account, DriftCompensated, TwoPortSide},
 };
 use nalgebra::Vector2;
 
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 use crate::worked::near;
 
 fn limit<T: Scalar>(most: f64) -> DampingLimit<T> {
@@ -59,14 +59,7 @@ fn held<T: Scalar>() {
     for tick in 0..8 {
         side.receive(T::of(1e-3 * received[tick]));
         let moved = T::of(1e-4 * moves[tick]);
-        let sample = HeldTick {
-            period: T::of(PERIOD),
-            position: T::of(0.0),
-            velocity: moved / T::of(PERIOD),
-            displacement: moved,
-            applied: force,
-        }
-        .sample();
+        let sample = held_tick(T::of(0.0), moved, force);
         kept += (force - wished) * moved;
         wished = T::of(asked[tick]);
         let correction: Correction<T> = side.stabilize(&sample, wished);
@@ -108,14 +101,7 @@ fn a_hand_that_turns_takes_what_was_to_be_dissipated() {
     for tick in 0..10 {
         let moved = if tick % 2 == 0 { 1e-4 } else { -1e-4 };
         work += applied * moved;
-        let shaken = HeldTick {
-            period: PERIOD,
-            position: 0.0,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied,
-        };
-        let correction = side.stabilize(&shaken.sample(), 0.0);
+        let correction = side.stabilize(&held_tick(0.0, moved, applied), 0.0);
         let expected = -2e-4 * 2f64.powi(tick);
         assert!((work / expected - 1.0).abs() < 1e-12, "{work} J of {expected} J");
         assert!((correction.observed_energy / work - 1.0).abs() < 1e-12);
@@ -128,16 +114,7 @@ fn a_hand_that_turns_takes_what_was_to_be_dissipated() {
 #[test]
 fn what_burns_pays_its_own_debt_once() {
     let (mut here, mut there) = (TwoPortSide::new(limit(1e3)), TwoPortSide::new(limit(1e3)));
-    let outwards = |moved: f64, applied: f64| {
-        HeldTick {
-            period: PERIOD,
-            position: 0.0,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied,
-        }
-        .sample()
-    };
+    let outwards = |moved: f64, applied: f64| held_tick(0.0, moved, applied);
     // The channel's 2 N over a millimetre outwards, nothing received.
     here.stabilize(&PortSample::starting(PERIOD, 0.0, -1.0), 2.0);
     let correction: Correction<f64> = here.stabilize(&outwards(-1e-3, 2.0), 0.0);
@@ -179,14 +156,7 @@ fn both_accounts_are_below_the_work_of_both_ports() {
                 let moved: Vector2<f64> = dice.signal(2e-4);
                 // A motor that does not always do as it is told.
                 let applied = correction.effort.map(|force| force.clamp(-8.0, 8.0));
-                drives[side] = HeldTick {
-                    period: PERIOD,
-                    position: Vector2::zeros(),
-                    velocity: moved / PERIOD,
-                    displacement: moved,
-                    applied,
-                }
-                .sample();
+                drives[side] = held_tick(Vector2::zeros(), moved, applied);
             }
             told = [sides[0].absorbed(), sides[1].absorbed()];
             assert!(sum <= work + 1e-12 * size, "{sum:e} J of {work:e} J");
