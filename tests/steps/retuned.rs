@@ -96,16 +96,3 @@ fn what_stands_behind_a_coupling_is_reached() {
     let fresh = CoupledPort::<_, f64>::new(Viscous { kept: 0.0 }, coupling).expect("a coupling");
     assert_eq!(fresh.restored(port.state()).expect("a memory").state(), port.state());
 }
-
-mod support {
-    use lyapunov::{HeldTick, PortSample};
-
-    pub(super) use crate::support::{PERIOD, limit, popc};
-
-    /// A tick that does `work` J of work at `velocity` m/s.
-    pub(super) fn tick(work: f64, velocity: f64) -> PortSample<f64> {
-        let displacement = velocity * PERIOD;
-        let tick = HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
-        PortSample { work, ..tick.sample() }
-    }
-}
