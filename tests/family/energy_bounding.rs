@@ -30,12 +30,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(tight(), B), &[0.0, 0.1, 0.3, -0.6, -0.4, -0.4, 0.0, 0.0, 0.2, 0.1]);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// A damper of 3 N·s/m that moves by 2 mm in 4 ms dissipates 3 N·s/m · (2 mm)² / 4 ms = 3 mJ, whatever `c1` is.
 #[test]

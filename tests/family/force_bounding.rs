@@ -2,7 +2,6 @@
 
 use std::f64::consts::SQRT_2;
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     HeldTick, PortSample, Scalar, Stabilizer,
     stabilizers::ForceBound,
@@ -31,12 +30,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(kept().expect("one"), B), &row);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// `E = 1 mJ` over `D = diag(0.5, 2)`.
 #[test]

@@ -2,7 +2,6 @@
 
 use std::collections::VecDeque;
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{HeldTick, PortSample, Scalar, Stabilizer, stabilizers::MemoryBased};
 
 use crate::support::{Dice, PERIOD, held_tick};
@@ -19,12 +18,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(memory(), B), &[2.0, 2.0, 2.0, -1.0, -1.0, 3.0, 0.0, 0.0, 0.0, 0.0]);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// After the way in of the row, at 0.6 mm and on the way out by 0.1 mm: cells 6, 5 and 4 hold 3, 1.5 and 1.5 N.
 #[test]

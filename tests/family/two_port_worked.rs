@@ -1,6 +1,5 @@
 //! The published two-port account against its worked rows, sampled and held, and energy that is never counted twice.
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     AdmittanceSample, Correction, DampingLimit, HeldFlow, Popc, PortEnergy, PortSample, Sampled,
     Scalar, Snapshot, Stabilizer,
@@ -77,19 +76,9 @@ fn held<T: Scalar>() {
     millijoules(&gave, &[0.0, 0.0, 0.0, 0.3, 0.7, 0.9, 0.9, 1.0]);
 }
 
-#[test]
-fn the_sampled_account() {
-    sampled::<f64>();
-    sampled::<f32>();
-    sampled::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_sampled_account, sampled);
 
-#[test]
-fn the_held_account() {
-    held::<f64>();
-    held::<f32>();
-    held::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_held_account, held);
 
 /// A push of −2 N over 0.1 mm is a debt of 0.2 mJ. The damper that serves it pushes on the way back, and what the port gives
 /// doubles from tick to tick, with nothing short: both ports give at least what their accounts say, and no bound keeps it.
@@ -195,12 +184,7 @@ fn drift<T: Scalar>() {
     millijoules(&drifts, &[-0.1, -0.15, -0.2, -0.25, -0.2, -0.15, -0.1, -0.05]);
 }
 
-#[test]
-fn the_worked_drift() {
-    drift::<f64>();
-    drift::<f32>();
-    drift::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_drift, drift);
 
 /// `W = 0.04 mJ` against 4 N moves 0.01 mm of 0.1 mm; `W = 1 mJ` moves all of it.
 #[test]
