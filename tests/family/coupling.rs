@@ -11,7 +11,7 @@ use lyapunov::{
 };
 use nalgebra::Vector3;
 
-use crate::support::{Dice, HELD, PERIOD, swing};
+use crate::support::{Dice, HELD, PERIOD, held_tick, swing};
 
 /// For a wall of 20 kN/m: `K T / 2 + B = 1`, and `k T / 2 = 10`.
 const COUPLING: VirtualCoupling<f64> =
@@ -167,16 +167,7 @@ fn what_stands_behind_is_told_the_truth() {
     for _ in 0..1000 {
         let moved = dice.within(1e-4);
         position += moved;
-        force = port.respond(
-            &HeldTick {
-                period: PERIOD,
-                position,
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample(),
-        );
+        force = port.respond(&held_tick(position, moved, force));
         let now = position - port.deflection();
         work = f64::min(work, 1e-3) + answer * (now - proxy);
         (proxy, answer) = (now, port.correction().effort);

@@ -5,7 +5,7 @@ use lyapunov::{HeldTick, Scalar, Stabilizer, stabilizers::EnergyBounding};
 use nalgebra::Vector3;
 
 use crate::adversary::{DAMPING, least, least_over};
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 use crate::worked::{A, B, felt, near};
 
 fn of(c1: f64, c2: f64) -> EnergyBounding<f64> {
@@ -30,12 +30,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(tight(), B), &[0.0, 0.1, 0.3, -0.6, -0.4, -0.4, 0.0, 0.0, 0.2, 0.1]);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// A damper of 3 N·s/m that moves by 2 mm in 4 ms dissipates 3 N·s/m · (2 mm)² / 4 ms = 3 mJ, whatever `c1` is.
 #[test]
@@ -71,14 +66,7 @@ fn in_forces_it_is_the_published_form() {
             let moved = if tick % 7 == 0 { 0.0 } else { dice.within(1e-3) };
             position += moved;
             let asked = dice.within(3.0);
-            let sample = HeldTick {
-                period: PERIOD,
-                position,
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: last,
-            }
-            .sample();
+            let sample = held_tick(position, moved, last);
             let force = bounding.stabilize(&sample, asked).effort;
             let expected = published(c1, c2, last, asked, moved);
             let size = last.abs() + c1 * moved.abs();
@@ -95,10 +83,7 @@ fn a_late_force_falls_no_faster_than_it_rises() {
     let fallen = |mut bounding: EnergyBounding<f64>| {
         let mut told = [0.0; 2];
         for (told, (displacement, asked)) in told.iter_mut().zip([(2e-3, 9.0), (1e-3, -9.0)]) {
-            let velocity = displacement / PERIOD;
-            let tick =
-                HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
-            *told = bounding.stabilize(&tick.sample(), asked).effort;
+            *told = bounding.stabilize(&held_tick(0.0, displacement, 0.0), asked).effort;
         }
         assert_eq!(told[0], 1.0);
         told[1] - told[0]
@@ -175,14 +160,7 @@ fn the_account_is_above_its_storage() {
     for _ in 0..5000 {
         let (moved, asked): (Vector3<f64>, Vector3<f64>) = (dice.signal(1e-3), dice.signal(2.0));
         energy += force.dot(&moved) + c1 * moved.norm_squared();
-        let sample = HeldTick {
-            period: PERIOD,
-            position: Vector3::zeros(),
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied: force,
-        }
-        .sample();
+        let sample = held_tick(Vector3::zeros(), moved, force);
         let correction = bounding.stabilize(&sample, asked);
         force = correction.effort;
         assert!(
@@ -207,14 +185,7 @@ fn small_steps_are_none() {
         }
         .sample();
         let force = bounding.stabilize(&pressed, 10.0).effort;
-        let step = HeldTick {
-            period: PERIOD,
-            position: 1e-3,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied: force,
-        }
-        .sample();
+        let step = held_tick(1e-3, moved, force);
         let (up, mut down) = (bounding.stabilize(&step, 10.0).effort, bounding);
         assert!((up - force).abs() < 1e-12 * force, "{up} N after {moved:e} m");
         assert!(down.stabilize(&step, 0.0).effort.is_finite());

@@ -7,7 +7,7 @@ use lyapunov::{
 };
 use nalgebra::Vector3;
 
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 
 const DAMPING: f64 = 0.2;
 const BUDGET: f64 = 1e-3;
@@ -36,14 +36,7 @@ fn least(factor: f64, mut motion: impl FnMut(Vector3<f64>) -> Vector3<f64>) -> f
         // Two sums of the same, in another order.
         size += 2.0 * change(Vector3::zeros(), moved);
         least = least.min(energy + 16.0 * f64::EPSILON * size);
-        sample = HeldTick {
-            period: PERIOD,
-            position: Vector3::zeros(),
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied: force,
-        }
-        .sample();
+        sample = held_tick(Vector3::zeros(), moved, force);
     }
     least
 }
@@ -105,14 +98,7 @@ fn a_held_spring_on_a_damped_mass_stays_bounded() {
             let moved = rest * PERIOD + (v - rest) * (1.0 - decay) * mass / DAMPING;
             (x, v) = (x + moved, next);
             most = most.max(0.5 * mass * v * v);
-            sample = HeldTick {
-                period: PERIOD,
-                position: x,
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample();
+            sample = held_tick(x, moved, force);
         }
         (most, stored)
     };

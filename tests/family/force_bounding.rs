@@ -2,7 +2,6 @@
 
 use std::f64::consts::SQRT_2;
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     HeldTick, PortSample, Scalar, Stabilizer,
     stabilizers::ForceBound,
@@ -11,7 +10,7 @@ use lyapunov::{
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use crate::adversary::{DAMPING, least};
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 use crate::worked::{A, B, felt, near};
 
 fn published() -> ForceBounding<f64> {
@@ -31,12 +30,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(kept().expect("one"), B), &row);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// `E = 1 mJ` over `D = diag(0.5, 2)`.
 #[test]
@@ -75,14 +69,7 @@ fn a_matrix_is_kept_and_tight() {
             energy += force.dot(&moved) + moved.dot(&(damping * moved)) / PERIOD;
             least = least.min(energy);
             emptied += i32::from(moved == worst && energy < 1e-9 * before);
-            sample = HeldTick {
-                period: PERIOD,
-                position: Vector3::zeros(),
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample();
+            sample = held_tick(Vector3::zeros(), moved, force);
         }
         assert!(least >= -1e-15, "{least:e} J");
         assert_eq!(emptied > 0, share == 1.0);
@@ -135,14 +122,7 @@ fn it_contains_the_tight_energy_bounding() {
         for _ in 0..200 {
             let moved = dice.within(3e-4);
             position += moved;
-            let sample = HeldTick {
-                period: PERIOD,
-                position,
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample();
+            let sample = held_tick(position, moved, force);
             let wish = dice.within(1.0);
             force = tight.stabilize(&sample, wish).effort;
             let most = bounding.stabilize(&sample, 1e6).effort;

@@ -1,6 +1,5 @@
 //! The input-to-state stable approach against its worked rows, its limits and its storage.
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     HeldTick, OnePort, PortSample, Scalar, Snapshot,
     bodies::Impedance,
@@ -33,12 +32,7 @@ fn rows<T: Scalar>() {
     near(&of(10_000.0, 2e-3), &row);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 #[test]
 fn an_infinite_slope_is_the_bare_environment() {

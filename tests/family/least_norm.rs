@@ -1,6 +1,5 @@
 //! The least change: closed forms against the optimum, and the filter against its worked rows.
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     Correction, DampingLimit, HeldTick, Mask, PortEnergy, PortSample, Scalar, Stabilizer,
     stabilizers::{Constraint, LeastNorm},
@@ -30,12 +29,7 @@ fn numbers<T: Scalar>() {
     assert!(!of(f64::NAN, 1.0).least_norm().feasible.any());
 }
 
-#[test]
-fn the_worked_numbers() {
-    numbers::<f64>();
-    numbers::<f32>();
-    numbers::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_numbers, numbers);
 
 /// `a + b · u = −√(a² + |b|⁴)`.
 #[test]
@@ -91,12 +85,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(filter(0.5), B), &[2.0, 2.0, 2.0, -1.0, -1.0, 3.0, 0.0, 0.0, 1.0, 1.5]);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// `L(n+1) ≥ (1 − γ) L(n)` where the next displacement is `v T`, without ever a debt.
 #[test]

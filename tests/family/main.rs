@@ -5,6 +5,8 @@ mod admittance;
 mod adversary;
 mod aimed;
 mod coupling;
+#[path = "../support/dice.rs"]
+mod dice;
 mod energy_bounding;
 mod force_bound;
 mod force_bounding;

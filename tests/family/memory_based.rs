@@ -2,10 +2,9 @@
 
 use std::collections::VecDeque;
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{HeldTick, PortSample, Scalar, Stabilizer, stabilizers::MemoryBased};
 
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 use crate::worked::{A, B, felt, near};
 
 const CELL: f64 = 1e-4;
@@ -19,12 +18,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(memory(), B), &[2.0, 2.0, 2.0, -1.0, -1.0, 3.0, 0.0, 0.0, 0.0, 0.0]);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// After the way in of the row, at 0.6 mm and on the way out by 0.1 mm: cells 6, 5 and 4 hold 3, 1.5 and 1.5 N.
 #[test]
@@ -35,14 +29,7 @@ fn a_late_force_looks_further_ahead() {
         for (position, asked) in [(0.0, 0.0), (1.0, 0.5), (3.0, 1.5), (6.0, 3.0), (8.0, 4.0)] {
             let moved = (position - last) * CELL;
             last = position;
-            let sample = HeldTick {
-                period: PERIOD,
-                position: position * CELL,
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample();
+            let sample = held_tick(position * CELL, moved, force);
             force = memory.stabilize(&sample, asked).effort;
         }
         // Half a cell on, so that no edge is a matter of rounding.
@@ -78,14 +65,7 @@ fn beyond(late: u32, looking: u32) -> f64 {
             worst = worst.max(force - took[place]);
         }
         let position = sample.position + moved;
-        sample = HeldTick {
-            period: PERIOD,
-            position,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied: force,
-        }
-        .sample();
+        sample = held_tick(position, moved, force);
     }
     worst
 }
@@ -112,15 +92,9 @@ fn too_much(cell: f64, forces: &[f64]) -> f64 {
             if tick < count { (step, tick + 1) } else { (-step, 2 * count - tick - 1) };
         let turning = tick == count - 1 || tick == count;
         energy += if turning { 0.0 } else { applied * moved };
-        let sample = HeldTick {
-            period: PERIOD,
-            position: place as f64 * step,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied,
-        };
+        let sample = held_tick(place as f64 * step, moved, applied);
         let asked = forces.get(tick + 1).copied().unwrap_or(100.0);
-        applied = memory.stabilize(&sample.sample(), asked).effort;
+        applied = memory.stabilize(&sample, asked).effort;
     }
     -energy
 }

@@ -6,7 +6,7 @@ use lyapunov::{
     stabilizers::PathMemory,
 };
 
-use crate::support::{Dice, HELD, PERIOD, swing};
+use crate::support::{Dice, HELD, PERIOD, held_tick, swing};
 
 /// 0.12 mm, a power of two: the ways of the first test end on edges.
 const CELL: f64 = 1.0 / 8192.0;
@@ -45,14 +45,7 @@ fn a_held_spring_gives_what_it_took_cell_by_cell() {
         energy += force * inwards;
         debts += i32::from(port.correction().shortfall > 1e-12);
         let position = sample.position + inwards;
-        sample = HeldTick {
-            period: PERIOD,
-            position,
-            velocity: inwards / PERIOD,
-            displacement: inwards,
-            applied: force,
-        }
-        .sample();
+        sample = held_tick(position, inwards, force);
     }
     assert!(debts == 1 && energy.abs() < 1e-12, "{debts} debts, {energy:e} J");
 }
@@ -83,14 +76,7 @@ fn energy_is_kept_stretch_by_stretch() {
             let moved = f64::from(to - at) * STEP;
             at = to;
             let position = f64::from(at) * STEP;
-            sample = HeldTick {
-                period: PERIOD,
-                position,
-                velocity: moved / PERIOD,
-                displacement: moved,
-                applied: force,
-            }
-            .sample();
+            sample = held_tick(position, moved, force);
         }
         let told = memory.stabilize(&sample, 0.0).shortfall;
         let held: f64 = path.iter().sum();

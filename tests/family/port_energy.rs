@@ -6,8 +6,7 @@ use proptest::prop_assert;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestCaseResult, TestRunner};
 
 use lyapunov::{
-    Dissipation, HeldTick, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer,
-    StorageFunction,
+    Dissipation, Lolc, Mask, PortEnergy, PortSample, Scalar, Signal, Stabilizer, StorageFunction,
     accumulators::{Compensated, Plain},
     candidates::Gate,
     stabilizers::{
@@ -18,7 +17,7 @@ use lyapunov::{
 };
 use nalgebra::Vector3;
 
-use crate::support::{Dice, PERIOD, limit, popc};
+use crate::support::{Dice, PERIOD, held_tick, limit, popc};
 
 const TICKS: usize = 300;
 
@@ -55,10 +54,7 @@ fn run<V: Signal>(
         let strength = if tick % 100 < 50 { 2e-4 } else { 2e-6 };
         let moved = if still { V::zero() } else { dice.signal(strength) };
         position = position + moved;
-        let velocity = moved.map(|it| it / of(PERIOD));
-        let sample =
-            HeldTick { period: of(PERIOD), position, velocity, displacement: moved, applied }
-                .sample();
+        let sample = held_tick(position, moved, applied);
         let works = sample.work.map(Scalar::magnitude).sum().lane(0);
         let credited = credit(&sample);
         account += sample.work.sum().lane(0) + credited;
@@ -68,7 +64,8 @@ fn run<V: Signal>(
         told.push(Told {
             account,
             observed: correction.observed_energy.lane(0),
-            burnt: (correction.alpha * (velocity.inner(velocity) * of(PERIOD))).lane(0),
+            burnt: (correction.alpha * (sample.velocity.inner(sample.velocity) * of(PERIOD)))
+                .lane(0),
             shortfall: correction.shortfall.lane(0),
             rounding: TICKS as f64 * V::Scalar::epsilon().lane(0) * size,
         });

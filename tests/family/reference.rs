@@ -1,7 +1,6 @@
 //! Energy that follows a reference, on a held spring that is pressed and released at a steady speed.
 
 use approx::abs_diff_eq;
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     DampingLimit, HeldTick, LyapunovCandidate, Popc, PortEnergy, PortSample, Scalar, Stabilizer,
     StorageFunction, stabilizers::ReferenceDamper, stabilizers::ReferenceFollowing,
@@ -83,12 +82,7 @@ fn rows<T: Scalar>() {
     near(&felt::<T>(popc, B), &B);
 }
 
-#[test]
-fn the_worked_rows() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, rows);
 
 /// `K = 1000, T = 1 ms, v = 0.1`: from the second tick on the law is the damper `K T / 2`.
 #[test]

@@ -10,7 +10,7 @@ use lyapunov::{
 };
 use nalgebra::{Vector2, Vector3};
 
-use crate::support::{Dice, HELD, PERIOD, popc, swing};
+use crate::support::{Dice, HELD, PERIOD, held_tick, popc, swing};
 
 /// Half of what HELD stands, so that a swing decays.
 const SLOPE: f64 = 1000.0;
@@ -45,14 +45,7 @@ fn changes_are_in_the_sector_or_towards_nothing() {
     bound.stabilize(&PortSample::starting(PERIOD, before, before), before);
     for _ in 0..20_000 {
         let (moved, asked): (Vector3<f64>, Vector3<f64>) = (dice.signal(1e-3), dice.signal(5.0));
-        let sample = HeldTick {
-            period: PERIOD,
-            position: Vector3::zeros(),
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied: before,
-        }
-        .sample();
+        let sample = held_tick(Vector3::zeros(), moved, before);
         let force = bound.stabilize(&sample, asked).effort;
         for axis in 0..3 {
             let (change, most) = (force[axis] - before[axis], SLOPE * moved[axis]);
@@ -182,14 +175,7 @@ fn least_with_damper(force: impl Fn(f64) -> f64, steps: &[f64]) -> f64 {
         energy += held * step + 0.5 * SLOPE * step * step;
         least = least.min(energy);
         position += step;
-        let sample = HeldTick {
-            period: PERIOD,
-            position,
-            velocity: step / PERIOD,
-            displacement: *step,
-            applied: held,
-        }
-        .sample();
+        let sample = held_tick(position, *step, held);
         held = bound.stabilize(&sample, force(position)).effort;
     }
     least
@@ -235,14 +221,7 @@ fn before_a_slanted_plane_sliding_takes_energy() {
         alone += bare.dot(&moved);
         dissipated += 0.5 * SLOPE * moved.norm_squared();
         at += moved;
-        let sample = HeldTick {
-            period: PERIOD,
-            position: at,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied: held,
-        }
-        .sample();
+        let sample = held_tick(at, moved, held);
         bare = plane(at);
         held = bound.stabilize(&sample, bare).effort;
     }

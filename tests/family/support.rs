@@ -1,9 +1,11 @@
 //! Numbers to try, and ports to try them on.
 
 use lyapunov::{
-    DampingLimit, OnePort, Plant, Popc, PortEnergy, Scalar, Signal,
+    DampingLimit, HeldTick, OnePort, Plant, Popc, PortEnergy, PortSample, Scalar, Signal,
     bodies::{Body, Impedance},
 };
+
+pub(crate) use crate::dice::Dice;
 
 pub(crate) const PERIOD: f64 = 1e-3;
 
@@ -15,26 +17,17 @@ pub(crate) fn popc<T: Scalar>() -> Popc<T> {
     Popc::new(PortEnergy, limit())
 }
 
-/// A generator of its own (Marsaglia, Xorshift RNGs, Journal of Statistical Software 8(14), 2003).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Dice(u64);
-
 impl Dice {
-    pub(crate) fn of(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
-    }
-
-    /// Uniform in `±size`.
-    pub(crate) fn within(&mut self, size: f64) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        size * ((self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0)
-    }
-
     pub(crate) fn signal<V: Signal>(&mut self, size: f64) -> V {
         V::zero().map(|_| V::Scalar::of(self.within(size)))
     }
+}
+
+/// A sample over [`PERIOD`] of a displacement at a steady velocity.
+pub(crate) fn held_tick<V: Signal>(position: V, displacement: V, applied: V) -> PortSample<V> {
+    let period = V::Scalar::of(PERIOD);
+    let velocity = displacement.map(|it| it / period);
+    HeldTick { period, position, velocity, displacement, applied }.sample()
 }
 
 /// A device of 0.2 kg and 1 N·s/m in a hand of 200 N/m.

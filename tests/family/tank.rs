@@ -1,7 +1,6 @@
 //! Energy tank: it gives what it holds, and no faster than allowed.
 
 use approx::assert_abs_diff_eq;
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     DampingLimit, HeldTick, LyapunovCandidate, PortEnergy, PortSample, Scalar, Snapshot,
     Stabilizer,
@@ -141,12 +140,7 @@ fn rows<T: Scalar>() {
     near(&energy, &[0.25, 0.2, 0.1, 0.1, 0.8, 1.0, 1.0]);
 }
 
-#[test]
-fn the_worked_row_in_joules() {
-    rows::<f64>();
-    rows::<f32>();
-    rows::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_row_in_joules, rows);
 
 /// Explicit steps of the published state, the root of the energy, create energy; joules do not.
 #[test]

@@ -7,7 +7,7 @@ use lyapunov::{
     stabilizers::{Sharing, TwoLayer},
 };
 
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 use crate::worked::near;
 
 /// Of the row: displacements, 0.1 mm, what is received, mJ, and the wished torques with their sign.
@@ -25,14 +25,7 @@ fn row<T: Scalar>(tolerance: f64) {
         received += 1e-3 * RECEIVED[tick];
         master.receive(of(received));
         let moved = of(1e-4 * MOVED[tick]);
-        let sample = HeldTick {
-            period: of(PERIOD),
-            position: of(0.0),
-            velocity: moved / of(PERIOD),
-            displacement: moved,
-            applied: force,
-        }
-        .sample();
+        let sample = held_tick(of(0.0), moved, force);
         let correction: Correction<T> = master.stabilize(&sample, of(-WISHED[tick]));
         force = correction.effort;
         let told = master.sent().lane(0);
@@ -90,14 +83,7 @@ fn the_tanks_and_what_is_under_way_hold_what_the_hands_put_in() {
                     let correction = end.stabilize(sample, dice.within(5.0));
                     held += correction.observed_energy;
                     let moved = dice.within(1e-4);
-                    *sample = HeldTick {
-                        period: PERIOD,
-                        position: 0.0,
-                        velocity: moved / PERIOD,
-                        displacement: moved,
-                        applied: correction.effort,
-                    }
-                    .sample();
+                    *sample = held_tick(0.0, moved, correction.effort);
                 }
                 let under_way = [ends[0].sent() - arrived[1], ends[1].sent() - arrived[0]];
                 assert!(under_way.iter().all(|energy| *energy >= 0.0), "{under_way:?}");

@@ -14,7 +14,7 @@ use lyapunov::{
     stabilizers::{DriftCompensated, TwoPortSide},
 };
 
-use crate::support::{Dice, PERIOD, limit};
+use crate::support::{Dice, PERIOD, held_tick, limit};
 
 /// A signal and the energy that its sender has absorbed.
 type Message = (f64, f64);
@@ -94,14 +94,7 @@ fn under_every_channel_the_ledger_of_both_ports_holds() {
                 arrived = back.carry((load.velocity, slave.absorbed()));
                 book.holds([(&sample, &felt), (&load, &moves)])?;
                 let moved = dice.within(2e-4);
-                sample = HeldTick {
-                    period: PERIOD,
-                    position: 0.0,
-                    velocity: moved / PERIOD,
-                    displacement: moved,
-                    applied: felt.effort,
-                }
-                .sample();
+                sample = held_tick(0.0, moved, felt.effort);
                 let force = dice.within(10.0);
                 load = HeldFlow {
                     period: PERIOD,

@@ -1,14 +1,13 @@
 //! The published two-port account against its worked rows, sampled and held, and energy that is never counted twice.
 
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
-    AdmittanceSample, Correction, DampingLimit, HeldFlow, HeldTick, Popc, PortEnergy, PortSample,
-    Sampled, Scalar, Snapshot, Stabilizer,
+    AdmittanceSample, Correction, DampingLimit, HeldFlow, Popc, PortEnergy, PortSample, Sampled,
+    Scalar, Snapshot, Stabilizer,
     stabilizers::{Account, DriftCompensated, TwoPortSide},
 };
 use nalgebra::Vector2;
 
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 use crate::worked::near;
 
 fn limit<T: Scalar>(most: f64) -> DampingLimit<T> {
@@ -59,14 +58,7 @@ fn held<T: Scalar>() {
     for tick in 0..8 {
         side.receive(T::of(1e-3 * received[tick]));
         let moved = T::of(1e-4 * moves[tick]);
-        let sample = HeldTick {
-            period: T::of(PERIOD),
-            position: T::of(0.0),
-            velocity: moved / T::of(PERIOD),
-            displacement: moved,
-            applied: force,
-        }
-        .sample();
+        let sample = held_tick(T::of(0.0), moved, force);
         kept += (force - wished) * moved;
         wished = T::of(asked[tick]);
         let correction: Correction<T> = side.stabilize(&sample, wished);
@@ -84,19 +76,9 @@ fn held<T: Scalar>() {
     millijoules(&gave, &[0.0, 0.0, 0.0, 0.3, 0.7, 0.9, 0.9, 1.0]);
 }
 
-#[test]
-fn the_sampled_account() {
-    sampled::<f64>();
-    sampled::<f32>();
-    sampled::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_sampled_account, sampled);
 
-#[test]
-fn the_held_account() {
-    held::<f64>();
-    held::<f32>();
-    held::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_held_account, held);
 
 /// A push of −2 N over 0.1 mm is a debt of 0.2 mJ. The damper that serves it pushes on the way back, and what the port gives
 /// doubles from tick to tick, with nothing short: both ports give at least what their accounts say, and no bound keeps it.
@@ -108,14 +90,7 @@ fn a_hand_that_turns_takes_what_was_to_be_dissipated() {
     for tick in 0..10 {
         let moved = if tick % 2 == 0 { 1e-4 } else { -1e-4 };
         work += applied * moved;
-        let shaken = HeldTick {
-            period: PERIOD,
-            position: 0.0,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied,
-        };
-        let correction = side.stabilize(&shaken.sample(), 0.0);
+        let correction = side.stabilize(&held_tick(0.0, moved, applied), 0.0);
         let expected = -2e-4 * 2f64.powi(tick);
         assert!((work / expected - 1.0).abs() < 1e-12, "{work} J of {expected} J");
         assert!((correction.observed_energy / work - 1.0).abs() < 1e-12);
@@ -128,16 +103,7 @@ fn a_hand_that_turns_takes_what_was_to_be_dissipated() {
 #[test]
 fn what_burns_pays_its_own_debt_once() {
     let (mut here, mut there) = (TwoPortSide::new(limit(1e3)), TwoPortSide::new(limit(1e3)));
-    let outwards = |moved: f64, applied: f64| {
-        HeldTick {
-            period: PERIOD,
-            position: 0.0,
-            velocity: moved / PERIOD,
-            displacement: moved,
-            applied,
-        }
-        .sample()
-    };
+    let outwards = |moved: f64, applied: f64| held_tick(0.0, moved, applied);
     // The channel's 2 N over a millimetre outwards, nothing received.
     here.stabilize(&PortSample::starting(PERIOD, 0.0, -1.0), 2.0);
     let correction: Correction<f64> = here.stabilize(&outwards(-1e-3, 2.0), 0.0);
@@ -179,14 +145,7 @@ fn both_accounts_are_below_the_work_of_both_ports() {
                 let moved: Vector2<f64> = dice.signal(2e-4);
                 // A motor that does not always do as it is told.
                 let applied = correction.effort.map(|force| force.clamp(-8.0, 8.0));
-                drives[side] = HeldTick {
-                    period: PERIOD,
-                    position: Vector2::zeros(),
-                    velocity: moved / PERIOD,
-                    displacement: moved,
-                    applied,
-                }
-                .sample();
+                drives[side] = held_tick(Vector2::zeros(), moved, applied);
             }
             told = [sides[0].absorbed(), sides[1].absorbed()];
             assert!(sum <= work + 1e-12 * size, "{sum:e} J of {work:e} J");
@@ -225,12 +184,7 @@ fn drift<T: Scalar>() {
     millijoules(&drifts, &[-0.1, -0.15, -0.2, -0.25, -0.2, -0.15, -0.1, -0.05]);
 }
 
-#[test]
-fn the_worked_drift() {
-    drift::<f64>();
-    drift::<f32>();
-    drift::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_drift, drift);
 
 /// `W = 0.04 mJ` against 4 N moves 0.01 mm of 0.1 mm; `W = 1 mJ` moves all of it.
 #[test]

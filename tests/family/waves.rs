@@ -1,7 +1,6 @@
 //! Wave variables: they decode to what was sent, and store the energy under way.
 
 use approx::{abs_diff_eq, assert_abs_diff_eq};
-use lyapunov::lanes::AutoF64x4;
 use lyapunov::{
     Scalar,
     channels::{Channel, ConstantDelay},
@@ -128,12 +127,7 @@ fn worked<T: Scalar>() {
     near(&sent, &[0.25, 0.4375, 0.578125, 0.433594, 0.325195, -0.00610352]);
 }
 
-#[test]
-fn the_worked_rows() {
-    worked::<f64>();
-    worked::<f32>();
-    worked::<AutoF64x4>();
-}
+crate::worked::each_scalar!(the_worked_rows, worked);
 
 /// What comes in goes on or comes back, `F v = (u² − w²) / 2`, and of a slave that rests the share `(b − B) / (b + B)` comes back.
 #[test]

@@ -52,3 +52,17 @@ pub(crate) fn near(found: &[f64], expected: &[f64]) {
         assert!((found_one - one).abs() < 1e-5, "{found:?} for {expected:?}");
     }
 }
+
+/// Makes a test of a worked example that is generic over the scalar.
+macro_rules! each_scalar {
+    ($test:ident, $example:ident) => {
+        #[test]
+        fn $test() {
+            $example::<f64>();
+            $example::<f32>();
+            $example::<lyapunov::lanes::AutoF64x4>();
+        }
+    };
+}
+
+pub(crate) use each_scalar;

@@ -2,6 +2,8 @@
 
 mod arm;
 mod body_points;
+#[path = "../support/dice.rs"]
+mod dice;
 mod energy;
 mod inertia;
 mod logarithm;

@@ -7,29 +7,15 @@ use lyapunov::{
 };
 use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 
+pub(crate) use crate::dice::Dice;
+
 /// One value at a time.
 pub(crate) trait Real: Angle + Into<f64> {}
 
 impl Real for f32 {}
 impl Real for f64 {}
 
-/// A generator of its own (Marsaglia, Xorshift RNGs, Journal of Statistical Software 8(14), 2003).
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Dice(u64);
-
 impl Dice {
-    pub(crate) fn of(seed: u64) -> Self {
-        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
-    }
-
-    /// Uniform in `±size`.
-    pub(crate) fn within(&mut self, size: f64) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        size * ((self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0)
-    }
-
     pub(crate) fn vector<T: Scalar>(&mut self, size: f64) -> Vector3<T> {
         Vector3::from_fn(|_, _| T::of(self.within(size)))
     }

@@ -88,25 +88,11 @@ mod check {
             each_candidate::<V, Compensated<V::Scalar>>(&stream)
         });
     }
+
+    pub(super) fn wide<V: Port<Scalar = f32>>() {
+        hold(CASES, stream::<V>(true), |stream| each_candidate::<V, Wide<f32>>(&stream));
+    }
 }
 
 crate::support::every_port!(plain, compensated);
-
-mod wide {
-    use nalgebra::Vector3;
-
-    use super::*;
-    use crate::support::{CASES, hold, stream};
-
-    #[test]
-    fn f32_scalar() {
-        hold(CASES, stream::<f32>(true), |stream| each_candidate::<f32, Wide<f32>>(&stream));
-    }
-
-    #[test]
-    fn f32_vector() {
-        hold(CASES, stream::<Vector3<f32>>(true), |stream| {
-            each_candidate::<Vector3<f32>, Wide<f32>>(&stream)
-        });
-    }
-}
+crate::support::each_type!(wide: f32_scalar = f32, f32_vector = nalgebra::Vector3<f32>);

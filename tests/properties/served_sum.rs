@@ -139,10 +139,11 @@ fn each_sum<V: Port>(stream: &Stream<V>) -> TestCaseResult {
 }
 
 mod check {
-    use proptest::array::uniform8;
+    use proptest::array::{uniform8, uniform16};
+    use proptest::collection::vec;
 
     use super::*;
-    use crate::support::{Bits, CASES, hold, stream, unit};
+    use crate::support::{Bits, CASES, hold, stream, unit, wild};
     use lyapunov::DampingLimit;
 
     pub(super) fn sound<V: Port>() {
@@ -178,16 +179,13 @@ mod check {
             Ok(())
         });
     }
-}
 
-crate::support::every_port!(sound, with_bad_samples, fits_the_range);
+    pub(super) fn wide<V: Port<Scalar = f32>>() {
+        hold(CASES, stream::<V>(true), |stream| each_candidate::<V, Wide<f32>>(&stream));
+    }
 
-/// Debts and motions at the ends of the range: where α or its reciprocal underflows, what is missing is told in full.
-mod at_the_ends {
-    use super::*;
-    use lyapunov::DampingLimit;
-
-    fn account<V: Port>() {
+    /// Debts and motions at the ends of the range: where α or its reciprocal underflows, what is missing is told in full.
+    pub(super) fn at_the_ends<V: Port>() {
         let of = |value: f64| V::Scalar::of(value);
         let (least, most) = (V::Scalar::smallest_positive(), V::Scalar::largest());
         let tiny = V::Scalar::smallest_normal();
@@ -219,51 +217,6 @@ mod at_the_ends {
         assert!(kept, "{correction:?}");
     }
 
-    #[test]
-    fn f64_scalar() {
-        account::<f64>();
-    }
-
-    #[test]
-    fn f32_scalar() {
-        account::<f32>();
-    }
-
-    #[test]
-    fn f64_vector() {
-        account::<nalgebra::Vector3<f64>>();
-    }
-}
-
-mod wide {
-    use nalgebra::Vector3;
-
-    use super::*;
-    use crate::support::{CASES, hold, stream};
-
-    #[test]
-    fn f32_scalar() {
-        hold(CASES, stream::<f32>(true), |stream| each_candidate::<f32, Wide<f32>>(&stream));
-    }
-
-    #[test]
-    fn f32_vector() {
-        hold(CASES, stream::<Vector3<f32>>(true), |stream| {
-            each_candidate::<Vector3<f32>, Wide<f32>>(&stream)
-        });
-    }
-}
-
-mod any_bits {
-    //! Numbers of every bit pattern: every result is finite.
-
-    use proptest::array::uniform16;
-    use proptest::collection::vec;
-
-    use super::*;
-    use crate::support::{Bits, CASES, hold, wild};
-    use lyapunov::DampingLimit;
-
     fn finite<V: Port>(
         mut lolc: impl Stabilizer<V>,
         limit: V::Scalar,
@@ -286,7 +239,8 @@ mod any_bits {
         Ok(())
     }
 
-    fn check<V: Port>() {
+    /// Numbers of every bit pattern: every result is finite.
+    pub(super) fn any_bits<V: Port>() {
         hold(CASES, vec(uniform16(any::<Bits>()), 1..16), |samples| {
             for limit in [0.0, 15.0, f64::INFINITY] {
                 let limit = DampingLimit::at(V::Scalar::of(limit)).expect("a limit");
@@ -301,24 +255,7 @@ mod any_bits {
             Ok(())
         });
     }
-
-    #[test]
-    fn f32_scalar() {
-        check::<f32>();
-    }
-
-    #[test]
-    fn f64_scalar() {
-        check::<f64>();
-    }
-
-    #[test]
-    fn f32_vector() {
-        check::<nalgebra::Vector3<f32>>();
-    }
-
-    #[test]
-    fn f64_vector() {
-        check::<nalgebra::Vector3<f64>>();
-    }
 }
+
+crate::support::every_port!(sound, with_bad_samples, fits_the_range, at_the_ends, any_bits);
+crate::support::each_type!(wide: f32_scalar = f32, f32_vector = nalgebra::Vector3<f32>);

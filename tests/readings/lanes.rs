@@ -27,7 +27,7 @@ fn tell(seed: u64, lane: usize, tick: usize) -> [f64; 5] {
         0 => f64::NAN,
         1 => size * 1e6,
         2 => f64::INFINITY,
-        _ => size * dice.whole(1000) / 1000.0,
+        _ => dice.within(size),
     };
     [number(1e-3), number(1e-3), number(1.0), number(5.0), number(5.0)]
 }

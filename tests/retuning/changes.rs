@@ -3,8 +3,8 @@
 use nalgebra::{Matrix1, Vector2};
 
 use lyapunov::{
-    Correction, DampingLimit, Dissipation, Lolc, PortEnergy, PortSample, Scalar, Snapshot,
-    Stabilizer,
+    Correction, DampingLimit, Dissipation, HeldTick, Lolc, PortEnergy, PortSample, Scalar,
+    Snapshot, Stabilizer,
     accumulators::{Accumulator, Compensated, Plain, Wide},
     laws::Samples,
     stabilizers::{
@@ -14,7 +14,14 @@ use lyapunov::{
     },
 };
 
-use super::support::{PERIOD, limit, popc, tick};
+use crate::support::{PERIOD, limit, popc};
+
+/// A tick that does `work` J of work at `velocity` m/s.
+fn tick(work: f64, velocity: f64) -> PortSample<f64> {
+    let displacement = velocity * PERIOD;
+    let tick = HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
+    PortSample { work, ..tick.sample() }
+}
 
 /// Reset, credit and debt are what they are called, in every account and through every adaptor.
 fn keeps_account(mut account: impl Account<f64>) {

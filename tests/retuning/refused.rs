@@ -12,7 +12,7 @@ use lyapunov::{
     telemetry::EnergyMeter,
 };
 
-use super::support::popc;
+use crate::support::{limit, popc};
 
 #[test]
 fn sums_that_are_not_finite_are_refused() {
@@ -20,11 +20,11 @@ fn sums_that_are_not_finite_are_refused() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert!(popc.restored(((), bad)).is_err());
         assert!(popc.summed_in::<Compensated<f64>>().restored(((), (1.0, bad))).is_err());
-        let wide = lyapunov::Popc::<f32>::new(PortEnergy, super::support::limit());
+        let wide = lyapunov::Popc::<f32>::new(PortEnergy, limit());
         assert!(wide.summed_in::<Wide<f32>>().restored(((), bad)).is_err());
         assert!(popc.reset_at(InContact { position: 0.0 }).restored((((), bad), 1.0)).is_err());
     }
-    let narrow = lyapunov::Popc::<f32>::new(PortEnergy, super::support::limit());
+    let narrow = lyapunov::Popc::<f32>::new(PortEnergy, limit());
     assert!(narrow.summed_in::<Wide<f32>>().restored(((), 1e300)).is_err()); // no f32
 }
 

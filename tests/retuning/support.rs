@@ -1,9 +1,9 @@
-//! Storing, and samples to try.
+//! Storing, and a controller to try.
 
 use ciborium::Value;
 use serde::{Serialize, de::DeserializeOwned};
 
-use lyapunov::{DampingLimit, HeldTick, Popc, PortEnergy, PortSample, Scalar};
+use lyapunov::{DampingLimit, Popc, PortEnergy, Scalar};
 
 pub(crate) const PERIOD: f64 = 1e-3;
 
@@ -47,11 +47,4 @@ pub(crate) fn written(state: &impl Serialize) -> String {
 
 pub(crate) fn read<S: DeserializeOwned>(text: &str) -> S {
     serde_json::from_str(text).expect("a state that was written")
-}
-
-/// A tick that does `work` J of work at `velocity` m/s.
-pub(crate) fn tick(work: f64, velocity: f64) -> PortSample<f64> {
-    let displacement = velocity * PERIOD;
-    let tick = HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
-    PortSample { work, ..tick.sample() }
 }

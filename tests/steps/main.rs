@@ -35,6 +35,8 @@ mod adversary;
 mod aimed;
 #[path = "../family/coupling.rs"]
 mod coupling;
+#[path = "../support/dice.rs"]
+mod dice;
 #[path = "../family/energy_bounding.rs"]
 mod energy_bounding;
 #[path = "../family/force_bound.rs"]

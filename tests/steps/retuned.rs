@@ -7,12 +7,12 @@ mod refused;
 
 use approx::assert_relative_eq;
 use lyapunov::{
-    Correction, HeldTick, OnePort, ParameterError, PortSample, Snapshot,
+    Correction, OnePort, ParameterError, PortSample, Snapshot,
     environments::Spring,
     stabilizers::{CoupledPort, VirtualCoupling},
 };
 
-use crate::support::{Dice, PERIOD};
+use crate::support::{Dice, PERIOD, held_tick};
 
 /// The forces of a coupling that is shaken for a while.
 fn shaken(port: &mut CoupledPort<Spring<f64>, f64>, seed: u64) -> Vec<f64> {
@@ -21,9 +21,7 @@ fn shaken(port: &mut CoupledPort<Spring<f64>, f64>, seed: u64) -> Vec<f64> {
     for _ in 0..20 {
         let displacement = dice.within(1e-3);
         position += displacement;
-        let velocity = displacement / PERIOD;
-        let tick = HeldTick { period: PERIOD, position, velocity, displacement, applied };
-        applied = port.respond(&tick.sample());
+        applied = port.respond(&held_tick(position, displacement, applied));
         forces.push(applied);
     }
     forces
@@ -88,9 +86,7 @@ fn what_stands_behind_a_coupling_is_reached() {
     // So the answer of each tick, which is in the state, is that of the displacement that the port was told.
     let mut before = 0.0;
     for displacement in [1e-3, 2e-3, -1e-3] {
-        let velocity = displacement / PERIOD;
-        let tick = HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
-        port.respond(&tick.sample());
+        port.respond(&held_tick(0.0, displacement, 0.0));
         let (kept, _, answer) = port.state();
         assert_relative_eq!(answer, 2.0 * (kept - before) / PERIOD + kept, max_relative = 1e-9);
         before = kept;
@@ -99,17 +95,4 @@ fn what_stands_behind_a_coupling_is_reached() {
     assert_eq!((port.correction().effort, port.correction().alpha), (before, 2.0));
     let fresh = CoupledPort::<_, f64>::new(Viscous { kept: 0.0 }, coupling).expect("a coupling");
     assert_eq!(fresh.restored(port.state()).expect("a memory").state(), port.state());
-}
-
-mod support {
-    use lyapunov::{HeldTick, PortSample};
-
-    pub(super) use crate::support::{PERIOD, limit, popc};
-
-    /// A tick that does `work` J of work at `velocity` m/s.
-    pub(super) fn tick(work: f64, velocity: f64) -> PortSample<f64> {
-        let displacement = velocity * PERIOD;
-        let tick = HeldTick { period: PERIOD, position: 0.0, velocity, displacement, applied: 0.0 };
-        PortSample { work, ..tick.sample() }
-    }
 }

@@ -42,6 +42,13 @@ impl Place {
         place
     }
 
+    /// A place with a scene of hours of work: as many ticks as a run may have.
+    pub(crate) fn long() -> Self {
+        let place = Self::new();
+        place.put_scene("scene.toml", "duration = 10.0", "duration = 1e7");
+        place
+    }
+
     pub(crate) fn path(&self, name: impl AsRef<Path>) -> PathBuf {
         self.0.path().join(name)
     }

@@ -16,13 +16,6 @@ fn send(child: &Child, signal: &str) {
     assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
 }
 
-/// Place with a scene of hours of work.
-fn long() -> Place {
-    let place = Place::new();
-    place.put_scene("scene.toml", "duration = 10.0", "duration = 1e7");
-    place
-}
-
 const MAP: [&str; 8] = [
     "map",
     "scene.toml",
@@ -37,7 +30,7 @@ const MAP: [&str; 8] = [
 /// As `nohup` starts a command, and a shell one in the background.
 #[test]
 fn an_ignored_signal_stays_ignored_and_another_is_heeded() {
-    let place = long();
+    let place = Place::long();
     for signal in ["HUP", "INT"] {
         for command in [&MAP[..], &["run", "scene.toml", "--csv", "rows.csv"]] {
             let script = format!("trap '' {signal}; exec \"$0\" \"$@\"");

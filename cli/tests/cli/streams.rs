@@ -42,8 +42,7 @@ fn two_runs_give_the_same_bytes() {
 /// The reader closes the pipe, as `head -1` does, early in the rows and before the first.
 #[test]
 fn a_reader_that_has_enough_ends_the_run_quietly() {
-    let place = Place::new();
-    place.put_scene("scene.toml", "duration = 10.0", "duration = 1e7");
+    let place = Place::long();
     for lines in [0, 1, 1000] {
         let mut child = place.command(["run", "scene.toml", "--csv", "-"]).start(Stdio::piped());
         let rows = BufReader::new(child.stdout.take().unwrap());

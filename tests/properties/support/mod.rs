@@ -177,48 +177,35 @@ fn run<S: Strategy>(cases: u32, strategy: S, property: &dyn Fn(S::Value) -> Test
     }
 }
 
+/// Makes tests of a property that is generic over a type, one for each type.
+macro_rules! each_type {
+    ($property:ident: $($name:ident = $of:ty),+ $(,)?) => {
+        mod $property {$(
+            #[test]
+            fn $name() {
+                super::check::$property::<$of>();
+            }
+        )+}
+    };
+}
+
 /// Makes tests of a property that is generic over the port, one for each port.
 macro_rules! every_port {
     ($($property:ident),+ $(,)?) => {$(
-        mod $property {
-            #[test]
-            fn f32_scalar() {
-                super::check::$property::<f32>();
-            }
-
-            #[test]
-            fn f64_scalar() {
-                super::check::$property::<f64>();
-            }
-
-            #[test]
-            fn f32_vector() {
-                super::check::$property::<nalgebra::Vector3<f32>>();
-            }
-
-            #[test]
-            fn f64_vector() {
-                super::check::$property::<nalgebra::Vector3<f64>>();
-            }
-        }
+        crate::support::each_type!($property:
+            f32_scalar = f32,
+            f64_scalar = f64,
+            f32_vector = nalgebra::Vector3<f32>,
+            f64_vector = nalgebra::Vector3<f64>,
+        );
     )+};
 }
 
 /// Makes tests of a property that is generic over the scalar.
 macro_rules! every_real {
     ($($property:ident),+ $(,)?) => {$(
-        mod $property {
-            #[test]
-            fn f32() {
-                super::check::$property::<f32>();
-            }
-
-            #[test]
-            fn f64() {
-                super::check::$property::<f64>();
-            }
-        }
+        crate::support::each_type!($property: f32 = f32, f64 = f64);
     )+};
 }
 
-pub(crate) use {every_port, every_real};
+pub(crate) use {each_type, every_port, every_real};
