@@ -2,7 +2,7 @@
 //! the loops anew.
 
 mod bound;
-
+mod burnt;
 mod claims;
 mod explain;
 mod family;

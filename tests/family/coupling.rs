@@ -187,14 +187,7 @@ fn laws_and_lanes() {
     for (sample, _) in laws::Samples::<WideF64x4>::new(of(PERIOD)) {
         let together = lanes.respond(&sample);
         for (lane, alone) in alone.iter_mut().enumerate() {
-            let force = alone.respond(&PortSample {
-                period: PERIOD,
-                position: sample.position.lane(lane),
-                velocity: sample.velocity.lane(lane),
-                displacement: sample.displacement.lane(lane),
-                applied: sample.applied.lane(lane),
-                work: sample.work.lane(lane),
-            });
+            let force = alone.respond(&sample.map(PERIOD, |value| value.lane(lane)));
             assert_eq!(together.lane(lane).to_bits(), force.to_bits());
         }
     }

@@ -61,14 +61,7 @@ fn build<T: Scalar>(number: usize) -> Option<Box<dyn Stabilizer<T>>> {
 
 fn lane<L: Scalar, T: Scalar>(sample: &PortSample<L>, lane: usize) -> PortSample<T> {
     let of = |value: L| T::of(value.lane(lane));
-    PortSample {
-        period: of(sample.period),
-        position: of(sample.position),
-        velocity: of(sample.velocity),
-        displacement: of(sample.displacement),
-        applied: of(sample.applied),
-        work: of(sample.work),
-    }
+    sample.map(of(sample.period), of)
 }
 
 fn alike<L: Scalar, T: Scalar>() {

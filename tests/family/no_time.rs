@@ -143,15 +143,7 @@ fn only_the_lane_is_rejected() {
     for (tick, (sample, effort)) in Samples::<f64>::new(PERIOD).take(400).enumerate() {
         let spread = AutoF64x4::of;
         let period = AutoF64x4::from_lanes(|lane| if lane == tick % 3 { -PERIOD } else { PERIOD });
-        let sample_of_lanes = PortSample {
-            period,
-            position: spread(sample.position),
-            velocity: spread(sample.velocity),
-            displacement: spread(sample.displacement),
-            applied: spread(sample.applied),
-            work: spread(sample.work),
-        };
-        let correction = lanes.stabilize(&sample_of_lanes, spread(effort));
+        let correction = lanes.stabilize(&sample.map(period, spread), spread(effort));
         let expected = alone.stabilize(&sample, effort);
         assert_eq!(correction.effort.lane(3), expected.effort);
         assert_eq!(correction.effort.lane(tick % 3), 0.0);
