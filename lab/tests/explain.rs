@@ -207,6 +207,41 @@ fn a_run_that_only_a_force_limit_holds_gets_remedies_with_which_it_settles() {
     assert!(page.contains("The run does not grow, so no change of the loop was tried."), "{page}");
 }
 
+/// A saturation makes every peak the same, and a spring has no force error: what helps there counts all the same.
+#[test]
+fn a_remedy_counts_where_it_changes_neither_peak_nor_force_error() {
+    let explained = |force: f64| {
+        Explanation::of::<f64>(&scene(&format!(
+            "duration = 4\nservo_rate = 1000\noperator = {{ mass = 0.1, damping = 2, stiffness = 200 }}\n\
+             device = {{ mass = 0.2, damping = 0.1 }}\ninitial.position = 0.02\n\
+             environment.spring.stiffness = 3000\neffects = {{ delay.ticks = 2, saturation.force = {force} }}\n"
+        )))
+        .unwrap()
+    };
+    let keys = |it: &Explanation| -> Vec<String> {
+        it.remedies.iter().map(|remedy| remedy.changes[0].0.clone()).collect()
+    };
+    let (low, high) = (explained(8.0), explained(80.0));
+    assert_eq!(keys(&low), keys(&high));
+    assert!(keys(&low).contains(&"stabilizer.popc.damping_cap".to_owned()), "{low}");
+    assert!(
+        low.remedies.iter().all(|it| it.peak_force == low.peak_force && it.force_error.is_none())
+    );
+}
+
+/// Of a run that is lost before it could be judged: with a change the same length is too short.
+#[test]
+fn a_run_that_is_too_short_is_no_remedy() {
+    let scene = scene(
+        "duration = 0.3\nservo_rate = 1000\noperator = { mass = 0.1, damping = 2, stiffness = 100 }\n\
+         device = { mass = 0.2, damping = 0.1 }\ninitial.position = -0.01\n\
+         environment.wall.stiffness = 1e6\n",
+    );
+    let explained = Explanation::of::<f64>(&scene).unwrap();
+    assert_eq!((explained.verdict, explained.remedies.len()), (Verdict::Grows, 0));
+    assert!(explained.to_string().contains("give it a longer duration"), "{explained}");
+}
+
 /// One step of a Runge-Kutta method is unstable on a link as stiff as this: the loop is stable, and its run is not.
 #[test]
 fn a_run_that_its_integrator_blows_up_is_no_transient() {

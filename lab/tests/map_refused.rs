@@ -45,3 +45,24 @@ fn a_stabilizer_that_cannot_run_is_named_with_what_it_needs() {
         }
     }
 }
+
+/// From 2⁵³ on an axis steps over whole numbers: two seeds would be one, or another than the one asked for.
+#[test]
+fn a_seed_that_an_axis_cannot_hold_is_refused() {
+    let noisy = scene("effects.noise = { deviation = 1e-6, seed = 1 }");
+    let planned = |range: &str| {
+        let axis = format!("effects.noise.seed={range}").parse().unwrap();
+        let plan = SweepPlan::new("test", noisy.clone(), axis, BasicName::ALL);
+        plan.map(|_| ()).map_err(|error| error.to_string())
+    };
+    assert_eq!(planned("9007199254740989..9007199254740991:3"), Ok(()));
+    for range in
+        ["9007199254740991..9007199254740993:3", "0..9223372036854775807:3", "1e19..3e19:3"]
+    {
+        let error = planned(range).unwrap_err();
+        assert!(
+            error.contains("is too large for an axis") && error.contains("below 2^53"),
+            "{error}"
+        );
+    }
+}

@@ -142,7 +142,11 @@ fn an_objective_that_the_scene_says_nothing_about_is_refused() {
     };
     let spring = scene("environment.spring.stiffness = 100.0\n");
     let error = told(&spring, "settling,stiffness");
-    assert!(error.contains("`stiffness` needs a wall") && error.contains("--objective"), "{error}");
+    assert!(error.contains("`stiffness` needs a wall"), "{error}");
+    assert!(error.ends_with("--objective: settling"), "{error}");
+    let moving = "environment.moving-wall = { stiffness = 100, amplitude = 0.001, frequency = 2 }\n";
+    let error = told(&scene(moving), "force-error");
+    assert!(error.ends_with("there is no objective for it: compare its stabilizers"), "{error}");
     let loose = scene("").to_draft();
     let sine = lyapunov_lab::scene::Motion::Sine {
         amplitude: 0.01.try_into().unwrap(),

@@ -7,7 +7,7 @@ use crate::files::scene::{
     Policy, Popc, Scene, Stabilizer, Work,
 };
 use crate::simulate::Stabilizing;
-use crate::text::{counted, folded, found, given, listed, shorten};
+use crate::text::{at_commas, counted, found, given, listed, shorten};
 
 /// The sentence above a scene on a page, without its full stop.
 pub(crate) const EVERY_NUMBER: &str = "Every number, with its default in place; where environment_rate and damping_cap are not \
@@ -34,7 +34,7 @@ pub(crate) fn stabilizer(scene: &Scene, stabilizing: &Stabilizing) -> String {
                 format!("damping cap {share} m / T{limit}")
             }
         };
-        folded("  stabilizer   ", &format!("{booking}, {cap}"))
+        at_commas("  stabilizer   ", &format!("{booking}, {cap}"))
     };
     match scene.stabilizer {
         None => "  stabilizer   none".to_owned(),

@@ -18,4 +18,4 @@ pub(crate) use numbers::{found, given, near_one};
 pub(crate) use prefix::{prefix, prefixed};
 pub use shell::shell_word;
 pub(crate) use suggest::nearest;
-pub(crate) use words::{counted, folded, listed, shortened_names};
+pub(crate) use words::{at_commas, counted, folded, listed, shortened_names};

@@ -24,6 +24,11 @@ pub(crate) fn listed(label: &str, things: &[String]) -> String {
     folded(label, &things.join(", ")).replace('\u{a0}', " ")
 }
 
+/// `text` behind `label`, with line breaks only after a comma.
+pub(crate) fn at_commas(label: &str, text: &str) -> String {
+    listed(label, &text.split(", ").map(str::to_owned).collect::<Vec<_>>())
+}
+
 /// A number of things in words.
 pub(crate) fn counted(count: usize, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })

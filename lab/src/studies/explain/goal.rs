@@ -2,6 +2,7 @@
 
 use super::{Explanation, hint};
 use crate::measure::{Verdict, Yardstick};
+use crate::simulate::Criterion;
 
 /// Condition that a run meets after a change that helps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +49,12 @@ impl Explanation {
     /// The reason why there are no remedies; none where there are some.
     pub(super) fn lack(&self) -> Option<String> {
         Some(match self.goal() {
-            Some(_) if self.remedies.is_empty() => "nothing that was tried helps".to_owned(),
-            Some(_) => return None,
+            Some(_) if !self.remedies.is_empty() => return None,
+            Some(_) if Criterion::of(&self.scene).shortage.is_some() => {
+                "runs of this length are too short to judge what helps: give it a longer duration"
+                    .to_owned()
+            }
+            Some(_) => "nothing that was tried helps".to_owned(),
             None if self.peak_force == 0.0 => {
                 format!("{}, so no change of the loop was tried", self.idle())
             }
