@@ -25,7 +25,7 @@ fn what_friction_holds_burns_nothing() {
     let held = pulled(100.0, 0.0, "effects.friction.coulomb = 3.0");
     let Balance { device, operator, friction, .. } = explained(&held);
     for burnt in [device, operator, friction] {
-        assert_abs_diff_eq!(burnt, 0.0, epsilon = 1e-20);
+        assert_abs_diff_eq!(burnt, 0.0, epsilon = 1e-17);
     }
 }
 

@@ -144,7 +144,8 @@ fn an_objective_that_the_scene_says_nothing_about_is_refused() {
     let error = told(&spring, "settling,stiffness");
     assert!(error.contains("`stiffness` needs a wall"), "{error}");
     assert!(error.ends_with("--objective: settling"), "{error}");
-    let moving = "environment.moving-wall = { stiffness = 100, amplitude = 0.001, frequency = 2 }\n";
+    let moving =
+        "environment.moving-wall = { stiffness = 100, amplitude = 0.001, frequency = 2 }\n";
     let error = told(&scene(moving), "force-error");
     assert!(error.ends_with("there is no objective for it: compare its stabilizers"), "{error}");
     let loose = scene("").to_draft();
