@@ -84,3 +84,28 @@ fn a_force_on_the_last_row_alone_is_no_contact() {
         "{text}"
     );
 }
+
+#[test]
+fn axes_that_are_not_read_are_told() {
+    let row = |n: u32| {
+        let x = f64::from(n).sin();
+        format!("{n}e-2,{x:?},{:?},1.0,{n}\n", 100.0 * (0.1 - x).max(0.0))
+    };
+    let rows = (0..100).map(row).collect::<String>();
+    let note = "the log has columns of further axes (y, y_f_act): only the first axis is read, and energy that passes along the \
+                others is missing";
+    let plane = format!("t,x,f_act,y,y_f_act\n{rows}");
+    let observed = observe(plane.as_bytes(), "plane.csv", &Settings::default()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&observed.report.to_json()).unwrap();
+    assert_eq!(json["notes"][0], note);
+    let text = observed.report.to_string();
+    assert!(
+        text.split_whitespace().collect::<Vec<_>>().join(" ").contains(&format!("note {note}")),
+        "{text}"
+    );
+    assert!(observed.to_html("lyapunov observe plane.csv").contains(note));
+    let line = plane.replace("y,", "a,").replace("y_", "a_");
+    let json: serde_json::Value =
+        serde_json::from_str(&read(line.as_bytes()).unwrap().to_json()).unwrap();
+    assert_eq!(json.get("notes"), None);
+}

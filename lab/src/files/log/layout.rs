@@ -1,5 +1,6 @@
 //! Places of the requested columns in a row.
 
+use super::axes::unread;
 use super::bad::Reason;
 use super::columns::{Column, Columns, Role, position};
 use super::error::LogError;
@@ -25,6 +26,8 @@ pub(super) struct Layout {
     wanted: Vec<(usize, Role)>,
     /// The heading of each column as asked for, in the order of the roles.
     headings: Vec<(Role, String, String)>,
+    /// A sentence about axes that are not asked for.
+    pub(super) unread_axes: Option<String>,
     /// The line of the headings.
     line: u64,
     /// Whether the line that it was read from is itself a row.
@@ -64,9 +67,13 @@ impl Layout {
             let heading = String::from_utf8_lossy(fields[index]).into_owned();
             headings.push((role, asked.to_owned(), heading));
         }
+        let texts = fields.iter().map(|field| String::from_utf8_lossy(field).into_owned());
+        let texts: Vec<String> = texts.collect();
+        let unread_axes = unread(&headings[Role::X.index()].2, &texts);
         let is_row = columns.numbered()
             && wanted.iter().any(|(index, _)| is_number(fields[*index], delimiter));
-        Ok(Self { delimiter, width: fields.len(), wanted, headings, line: at, is_row })
+        let width = fields.len();
+        Ok(Self { delimiter, width, wanted, headings, unread_axes, line: at, is_row })
     }
 
     /// The columns with the units of their headings, and for each role the power of ten from its unit.

@@ -39,6 +39,7 @@ impl fmt::Display for Lines<'_> {
         report.write_columns(f)?;
         report.write_rows(f, &units)?;
         report.write_sums(f, &units)?;
+        report.notes.iter().try_for_each(|it| line(f, "note", it))?;
         report.look_at.iter().try_for_each(|it| line(f, "look at", &it.text))?;
         report.write_contacts(f)
     }
