@@ -19,14 +19,36 @@ fn what_is_no_table_is_not_asked_for_columns() {
         &b"{\"t\":0,\"x\":1,\"f\":2}\n"[..],
         b"[0,1,2]\n",
         b"<row>,<t>,<x>\n",
-        b"t,x,f\r0,0,0\r1,1,1\r",
-        b"a,\xff\xfe,b,c\n",
         b"t|x|f\n0|0|0\n",
-        b"t;x\n0;0\n",
+        b"t,\xff\x01,b,c\n",
     ] {
         remedy(log, table);
     }
     remedy(b"time,place,push\n0,0,0\n", "name the column of x with --columns");
+}
+
+#[test]
+fn a_log_of_another_encoding_or_too_few_columns_is_told_so() {
+    let utf_16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>();
+    let swapped: Vec<u8> = utf_16("t,x,f\n").chunks(2).flat_map(|it| [it[1], it[0]]).collect();
+    let many = format!("t,x,f\r{}", "0,0,0\r".repeat(50_000)).into_bytes();
+    for (log, words) in [
+        (&b"t;x\n0;0\n"[..], "a log needs columns of time, position and force; there are t, x"),
+        (b"a,\xff\xfe,b,c\n", "the file is not UTF-8: byte 0xff in"),
+        (b"t,x,Kr\xe4ft\n0,0,0\n", "not UTF-8: byte 0xe4 in `Kr\u{fffd}ft`; save it as UTF-8"),
+        (b"t,x [\xb5m],f\n0,0,0\n", "byte 0xb5 in `x [\u{fffd}m]`; save it as UTF-8"),
+        (b"t,x\xb0,f\n0,0,0\n", "or give --columns the numbers of the columns, from 1"),
+        (&utf_16("\u{feff}t,x,f\n0,0,0\n"), "it looks like UTF-16: save it as UTF-8"),
+        (&utf_16("t,x,f\n0,0,0\n"), "it looks like UTF-16: save it as UTF-8"),
+        (&swapped, "it looks like UTF-16: save it as UTF-8"),
+        (b"t,x,f\r0,0,0\r1,1,1\r", "its lines end in CR alone"),
+        (b"t,x,f,v\r0,0,0,0\r1,1,1,0\r", "save it with line ends LF or CRLF"),
+        (b"# made\rt,x,f\r0,0,0\r1,1,1\r", "its lines end in CR alone"),
+        (&many, "its lines end in CR alone"),
+    ] {
+        remedy(log, words);
+    }
+    assert_eq!(read(b"t,x,f\r\r\n0,0,0\r\r\n1,1,1\r\r\n").unwrap().rows, 2);
 }
 
 #[test]
