@@ -131,3 +131,18 @@ fn axes_that_are_not_read_are_told() {
         serde_json::from_str(&read(line.as_bytes()).unwrap().to_json()).unwrap();
     assert_eq!(json.get("notes"), None);
 }
+
+#[test]
+fn each_kind_of_bad_row_has_its_remedy_in_a_line() {
+    let log = "t,x [mm],f\n-1e-9,0,0\n0.001,1\n0.002,one,0\n0.003,nan,0\n0.004,2,0\n0.001,2,0\n0.005,1,0\n";
+    let observed = observe(log.as_bytes(), "made.csv", &Settings::default()).unwrap();
+    let (text, page) = (observed.report.to_string(), observed.to_html("lyapunov observe made.csv"));
+    for told in ["= every row", "= write numbers", "= NaN and infinities", "= time must increase"] {
+        assert!(text.contains(told) && page.contains(&format!("\n{told}")), "{told}: {text}");
+    }
+    assert!(text.contains("from 0.0000 s to 0.0050 s"), "{text}");
+    assert!(page.contains(
+        "4; the next good row spans the gap\nline 3: 2 fields, not 3\nline 4: x is <code>one</code>"
+    ));
+    assert!(page.contains("x is <code>x [mm]</code> in mm"), "{page}");
+}

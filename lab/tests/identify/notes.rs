@@ -262,3 +262,12 @@ fn axes_that_are_not_read_are_told() {
         found.report.notes
     );
 }
+
+#[test]
+fn bad_rows_stand_in_lines_of_the_page() {
+    let log = PLAIN.log(800, &mut Chance::new(7)).replacen("\n", "\n0,0\n0,one,0\n", 1);
+    let page = fitted(&log).unwrap().to_html("lyapunov identify log.csv");
+    assert!(page.contains(
+        "2, left out\nline 2: 2 fields, not 3\nline 3: x is <code>one</code>, no number\n= "
+    ));
+}
