@@ -152,7 +152,7 @@ async function cells(browser, path, csv, [columns, lines]) {
     else near(Number(force), Number(row.peak_force_n), 1e-3, "peak force");
     const [first, ...words] = command.split(" ");
     assert.equal(first, "lyapunov");
-    const [area] = JSON.parse(lyapunov(...words, "--json")).areas;
+    const area = JSON.parse(lyapunov(...words, "--json")).areas.find((it) => it.stabilizer === who);
     assert.equal(area[`${row.verdict.replace(" ", "_")}_cells`], 1, command);
   };
   const image = await page.place("image.cells");
@@ -174,6 +174,8 @@ try {
   const model = made("model", "compare", "scenes/models/van-der-pol.toml");
   const size = [6, 5];
   const map = made("map", "map", "scenes/press-1khz.toml", "--x", `environment.wall.stiffness=100..50000:${size[0]}:log`, "--y", `environment.wall.damping=0..100:${size[1]}`);
+  // A number of a stabilizer that is not the one of the first panel.
+  const capped = made("capped", "map", "scenes/press-1khz.toml", "--x", "environment.wall.stiffness=100..50000:4:log", "--y", "stabilizer.popc.damping_cap=0.1..1:4", "--stabilizers", "none,popc");
   const paper = made("paper", "paper", "--draws", "2");
   const teleoperation = made("teleoperation", "compare", "scenes/teleoperation/constant-delay.toml");
   const run = made("run", "run", "scenes/paper-50k-popc.toml");
@@ -194,6 +196,7 @@ try {
   await curves(browser, run("report.html"), "position, mm", positions, 1e-5);
   await sorting(browser, model("report.html"));
   await cells(browser, map("report.html"), map("map.csv"), size);
+  await cells(browser, capped("report.html"), capped("map.csv"), [4, 4]);
   console.log("the pages load, tell the right numbers and sort");
 } finally {
   await browser.close();

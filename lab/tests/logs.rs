@@ -19,14 +19,36 @@ fn what_is_no_table_is_not_asked_for_columns() {
         &b"{\"t\":0,\"x\":1,\"f\":2}\n"[..],
         b"[0,1,2]\n",
         b"<row>,<t>,<x>\n",
-        b"t,x,f\r0,0,0\r1,1,1\r",
-        b"a,\xff\xfe,b,c\n",
         b"t|x|f\n0|0|0\n",
-        b"t;x\n0;0\n",
+        b"t,\xff\x01,b,c\n",
     ] {
         remedy(log, table);
     }
     remedy(b"time,place,push\n0,0,0\n", "name the column of x with --columns");
+}
+
+#[test]
+fn a_log_of_another_encoding_or_too_few_columns_is_told_so() {
+    let utf_16 = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<_>>();
+    let swapped: Vec<u8> = utf_16("t,x,f\n").chunks(2).flat_map(|it| [it[1], it[0]]).collect();
+    let many = format!("t,x,f\r{}", "0,0,0\r".repeat(50_000)).into_bytes();
+    for (log, words) in [
+        (&b"t;x\n0;0\n"[..], "a log needs columns of time, position and force; there are t, x"),
+        (b"a,\xff\xfe,b,c\n", "the file is not UTF-8: byte 0xff in"),
+        (b"t,x,Kr\xe4ft\n0,0,0\n", "not UTF-8: byte 0xe4 in `Kr\u{fffd}ft`; save it as UTF-8"),
+        (b"t,x [\xb5m],f\n0,0,0\n", "byte 0xb5 in `x [\u{fffd}m]`; save it as UTF-8"),
+        (b"t,x\xb0,f\n0,0,0\n", "or give --columns the numbers of the columns, from 1"),
+        (&utf_16("\u{feff}t,x,f\n0,0,0\n"), "it looks like UTF-16: save it as UTF-8"),
+        (&utf_16("t,x,f\n0,0,0\n"), "it looks like UTF-16: save it as UTF-8"),
+        (&swapped, "it looks like UTF-16: save it as UTF-8"),
+        (b"t,x,f\r0,0,0\r1,1,1\r", "its lines end in CR alone"),
+        (b"t,x,f,v\r0,0,0,0\r1,1,1,0\r", "save it with line ends LF or CRLF"),
+        (b"# made\rt,x,f\r0,0,0\r1,1,1\r", "its lines end in CR alone"),
+        (&many, "its lines end in CR alone"),
+    ] {
+        remedy(log, words);
+    }
+    assert_eq!(read(b"t,x,f\r\r\n0,0,0\r\r\n1,1,1\r\r\n").unwrap().rows, 2);
 }
 
 #[test]
@@ -83,4 +105,44 @@ fn a_force_on_the_last_row_alone_is_no_contact() {
         words.join(" ").contains("the largest force so far); below, the worst first from to"),
         "{text}"
     );
+}
+
+#[test]
+fn axes_that_are_not_read_are_told() {
+    let row = |n: u32| {
+        let x = f64::from(n).sin();
+        format!("{n}e-2,{x:?},{:?},1.0,{n}\n", 100.0 * (0.1 - x).max(0.0))
+    };
+    let rows = (0..100).map(row).collect::<String>();
+    let note = "the log has columns of further axes (y, y_f_act): only the first axis is read, and energy that passes along the \
+                others is missing";
+    let plane = format!("t,x,f_act,y,y_f_act\n{rows}");
+    let observed = observe(plane.as_bytes(), "plane.csv", &Settings::default()).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&observed.report.to_json()).unwrap();
+    assert_eq!(json["notes"][0], note);
+    let text = observed.report.to_string();
+    assert!(
+        text.split_whitespace().collect::<Vec<_>>().join(" ").contains(&format!("note {note}")),
+        "{text}"
+    );
+    assert!(observed.to_html("lyapunov observe plane.csv").contains(note));
+    let line = plane.replace("y,", "a,").replace("y_", "a_");
+    let json: serde_json::Value =
+        serde_json::from_str(&read(line.as_bytes()).unwrap().to_json()).unwrap();
+    assert_eq!(json.get("notes"), None);
+}
+
+#[test]
+fn each_kind_of_bad_row_has_its_remedy_in_a_line() {
+    let log = "t,x [mm],f\n-1e-9,0,0\n0.001,1\n0.002,one,0\n0.003,nan,0\n0.004,2,0\n0.001,2,0\n0.005,1,0\n";
+    let observed = observe(log.as_bytes(), "made.csv", &Settings::default()).unwrap();
+    let (text, page) = (observed.report.to_string(), observed.to_html("lyapunov observe made.csv"));
+    for told in ["= every row", "= write numbers", "= NaN and infinities", "= time must increase"] {
+        assert!(text.contains(told) && page.contains(&format!("\n{told}")), "{told}: {text}");
+    }
+    assert!(text.contains("from 0.0000 s to 0.0050 s"), "{text}");
+    assert!(page.contains(
+        "4; the next good row spans the gap\nline 3: 2 fields, not 3\nline 4: x is <code>one</code>"
+    ));
+    assert!(page.contains("x is <code>x [mm]</code> in mm"), "{page}");
 }

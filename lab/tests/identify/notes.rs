@@ -249,3 +249,25 @@ fn a_page_holds_figure_numbers_and_scene() {
     }
     assert_eq!(found.csv().lines().count(), 8);
 }
+
+#[test]
+fn axes_that_are_not_read_are_told() {
+    let log = PLAIN.log(800, &mut Chance::new(7));
+    let (names, rows) = log.split_once('\n').unwrap();
+    let rows: String = rows.lines().map(|row| format!("{row},0,0\n")).collect();
+    let found = fitted(&format!("{names},y,fy\n{rows}")).unwrap();
+    assert!(
+        says(&found, "further axes (y, fy): only the first axis is read"),
+        "{:?}",
+        found.report.notes
+    );
+}
+
+#[test]
+fn bad_rows_stand_in_lines_of_the_page() {
+    let log = PLAIN.log(800, &mut Chance::new(7)).replacen("\n", "\n0,0\n0,one,0\n", 1);
+    let page = fitted(&log).unwrap().to_html("lyapunov identify log.csv");
+    assert!(page.contains(
+        "2, left out\nline 2: 2 fields, not 3\nline 3: x is <code>one</code>, no number\n= "
+    ));
+}

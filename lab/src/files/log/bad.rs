@@ -165,7 +165,7 @@ impl BadRows {
         Some(format!("{rows} line {line}: {reason}; {remedy}"))
     }
 
-    /// The count, with the `fate` of the rows; the first ten, how many more, and a remedy: a line each. None without bad rows.
+    /// The count, with the `fate` of the rows; the first ten, how many more, and each remedy: a line each. None without bad rows.
     pub(crate) fn lines(&self, fate: &str) -> Vec<String> {
         if self.count == 0 {
             return Vec::new();
@@ -176,7 +176,7 @@ impl BadRows {
         if more > 0 {
             lines.push(format!("and {more} more"));
         }
-        lines.extend(self.remedy().map(|remedy| format!("= {remedy}")));
+        lines.extend(self.remedies.iter().map(|(remedy, _)| format!("= {remedy}")));
         lines
     }
 }

@@ -6,7 +6,7 @@ use super::blank;
 use super::columns::Columns;
 use super::error::LogError;
 use super::fields::{BLANK, Fields, delimiter};
-use super::layout::{EXPECTED, Layout};
+use super::layout::{EXPECTED, Layout, RETURNS, has_returns};
 use super::lines::{Lines, Next};
 
 /// Layout of a log, and what had to be read below its names to find it.
@@ -28,18 +28,19 @@ impl Head {
         name: &str,
         columns: &Columns,
     ) -> Result<Self, LogError> {
-        let mut found: Option<Self> = None;
+        let (mut found, mut expected): (Option<Self>, &str) = (None, EXPECTED);
         loop {
             let next = lines.read().map_err(|error| LogError::unreadable(name, &error))?;
             let (line, at) = (lines.text(), lines.number());
+            expected = if has_returns(line) { RETURNS } else { expected };
             match next {
                 Next::Line => {}
                 Next::TooLong => {
                     let message = "this is no row: the line is longer than 256 KiB";
-                    return Err(LogError::at(name, at, message).with_help(EXPECTED));
+                    return Err(LogError::at(name, at, message).with_help(expected));
                 }
                 Next::End => {
-                    let empty = || LogError::about(name, "the log is empty").with_help(EXPECTED);
+                    let empty = || LogError::about(name, "the log is empty").with_help(expected);
                     return found.ok_or_else(empty);
                 }
             }

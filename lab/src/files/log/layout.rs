@@ -1,5 +1,6 @@
 //! Places of the requested columns in a row.
 
+use super::axes::unread;
 use super::bad::Reason;
 use super::columns::{Column, Columns, Role, position};
 use super::error::LogError;
@@ -15,6 +16,10 @@ const LISTED: usize = 12;
 pub(super) const EXPECTED: &str =
     "give a log of comma-separated values, as text with one row per line";
 
+/// Remedy for lines that are parted by carriage returns, as old programs do.
+pub(super) const RETURNS: &str =
+    "its lines end in CR alone, so that all are one: save it with line ends LF or CRLF";
+
 /// Places of the requested columns in a row.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
@@ -25,6 +30,8 @@ pub(super) struct Layout {
     wanted: Vec<(usize, Role)>,
     /// The heading of each column as asked for, in the order of the roles.
     headings: Vec<(Role, String, String)>,
+    /// A sentence about axes that are not asked for.
+    pub(super) unread_axes: Option<String>,
     /// The line of the headings.
     line: u64,
     /// Whether the line that it was read from is itself a row.
@@ -41,8 +48,18 @@ impl Layout {
     ) -> Result<Self, LogError> {
         let wrong = |message: String| LogError::at(name, at, message);
         if line.contains(&0) {
-            return Err(wrong("this is no text: it holds a byte 0".to_owned())
-                .with_help("give a log of comma-separated values, as text in UTF-8"));
+            return Err(wrong("this is no text: it holds a byte 0".to_owned()).with_help(
+                if is_utf_16(line) {
+                    "it looks like UTF-16: save it as UTF-8"
+                } else {
+                    "give a log of comma-separated values, as text in UTF-8"
+                },
+            ));
+        }
+        if has_returns(line) {
+            return Err(
+                wrong("this line holds a carriage return, CR".to_owned()).with_help(RETURNS)
+            );
         }
         let delimiter = delimiter(line);
         let fields: Vec<&[u8]> = Fields::new(line, delimiter).map(bare).collect();
@@ -64,9 +81,13 @@ impl Layout {
             let heading = String::from_utf8_lossy(fields[index]).into_owned();
             headings.push((role, asked.to_owned(), heading));
         }
+        let texts = fields.iter().map(|field| String::from_utf8_lossy(field).into_owned());
+        let texts: Vec<String> = texts.collect();
+        let unread_axes = unread(&headings[Role::X.index()].2, &texts);
         let is_row = columns.numbered()
             && wanted.iter().any(|(index, _)| is_number(fields[*index], delimiter));
-        Ok(Self { delimiter, width: fields.len(), wanted, headings, line: at, is_row })
+        let width = fields.len();
+        Ok(Self { delimiter, width, wanted, headings, unread_axes, line: at, is_row })
     }
 
     /// The columns with the units of their headings, and for each role the power of ten from its unit.
@@ -188,17 +209,46 @@ fn only(
     Err((message, "give --columns the number of the right one".to_owned()))
 }
 
+/// Whether carriage returns part lines within `line`.
+pub(super) fn has_returns(line: &[u8]) -> bool {
+    line.trim_ascii().contains(&b'\r')
+}
+
+/// Whether a line that holds a byte 0 begins as UTF-16 may, or has one in all even or all odd places, as Latin letters have.
+fn is_utf_16(line: &[u8]) -> bool {
+    let zeros = |from| line.iter().skip(from).step_by(2).all(|byte| *byte == 0);
+    line.starts_with(b"\xff\xfe") || line.starts_with(b"\xfe\xff") || zeros(0) != zeros(1)
+}
+
 /// Remedy for a column that is not there.
 fn missing(asked: &str, fields: &[&[u8]]) -> String {
-    let is_odd =
-        |field: &&[u8]| field.iter().any(u8::is_ascii_control) || str::from_utf8(field).is_err();
+    let is_odd = |field: &&[u8]| field.iter().any(u8::is_ascii_control);
     let opens = |field: &&[u8]| matches!(field.first(), Some(b'{' | b'[' | b'<'));
-    if fields.len() < 3 || fields.iter().any(is_odd) || fields.first().is_some_and(opens) {
+    if fields.iter().any(is_odd) || fields.first().is_some_and(opens) {
         return EXPECTED.to_owned();
     }
     let names: Vec<String> =
         fields.iter().map(|field| String::from_utf8_lossy(field).into_owned()).collect();
-    if !fields.is_empty() && fields.iter().all(|field| is_number(field, b';')) {
+    let fault = |field: &[u8]| field.get(str::from_utf8(field).err()?.valid_up_to()).copied();
+    let faults = fields.iter().zip(&names);
+    if let Some((byte, name)) = faults.filter_map(|(it, name)| Some((fault(it)?, name))).next() {
+        return format!(
+            "the file is not UTF-8: byte {byte:#04x} in `{}`; save it as UTF-8, or give --columns the numbers of the columns, \
+             from 1, as in 1,2,3",
+            shorten(name)
+        );
+    }
+    match &names[..] {
+        [] | [_] => return EXPECTED.to_owned(),
+        [first, second] => {
+            let [first, second] = [first, second].map(|name| shorten(name));
+            return format!(
+                "a log needs columns of time, position and force; there are {first}, {second}"
+            );
+        }
+        _ => {}
+    }
+    if fields.iter().all(|field| is_number(field, b';')) {
         return "this line holds numbers, so the log has no names: give --columns the numbers of \
                 the columns, from 1, as in 1,2,3"
             .to_owned();

@@ -1,5 +1,6 @@
 //! Logs of any device: rows of time, position and force, read one by one in memory that does not grow.
 
+mod axes;
 mod bad;
 mod columns;
 mod error;
@@ -42,6 +43,7 @@ pub(crate) struct Log<R> {
     lines: Lines<R>,
     row: RowReader,
     columns: Vec<Column>,
+    unread_axes: Option<String>,
     /// The first row, where it was read while the log was opened.
     first: Vec<u8>,
     /// The kind of that row until it is told.
@@ -88,13 +90,19 @@ impl<R: Read> Log<R> {
                 (first, pending) = (line.to_vec(), Some(next));
             }
         }
+        let unread_axes = layout.unread_axes.clone();
         let row = RowReader::new(layout, factors, powers, has_velocity);
-        Ok(Self { lines, row, columns: read, first, pending })
+        Ok(Self { lines, row, columns: read, unread_axes, first, pending })
     }
 
     /// The columns as they are read.
     pub(crate) fn columns(&self) -> &[Column] {
         &self.columns
+    }
+
+    /// A sentence about axes whose columns are not read; none without them.
+    pub(crate) fn unread_axes(&self) -> Option<&str> {
+        self.unread_axes.as_deref()
     }
 
     /// Whether the numbers so far have decimal commas.

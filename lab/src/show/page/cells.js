@@ -80,7 +80,8 @@ class Cells {
       if (heat) add(map.data.title, valueOf(heat, row * columns + column));
     }
     this.told.replaceChildren(element("p", "where", this.panels[index].title), list);
-    if (axes) this.told.append(command(axes, this.panels[index].title, column, row));
+    const names = this.panels.map((panel) => panel.title);
+    if (axes) this.told.append(command(axes, [names[index], ...names], column, row));
   }
 }
 
@@ -92,10 +93,13 @@ function valueOf({ classes, values }, index) {
   return classes ? classes[value] : told(value);
 }
 
-// The command that runs just this cell, with a button that copies it.
-function command({ x, y, command: made, several }, stabilizer, column, row) {
+// The command that runs just this cell, with a button that copies it: under the first stabilizer, and under those others whose
+// own numbers the axes vary, since these have to take part.
+function command({ x, y, command: made, several }, stabilizers, column, row) {
   const at = (axis, index) => `${axis.key}=${axis.values[index]}..${axis.values[index]}:1`;
-  const text = `${made} --x ${at(x, column)} --y ${at(y, row)} --stabilizers ${stabilizer}`;
+  const isVaried = (name) => [x, y].some((axis) => axis.key.startsWith(`stabilizer.${name}.`));
+  const names = new Set(stabilizers.filter((name, index) => index === 0 || isVaried(name)));
+  const text = `${made} --x ${at(x, column)} --y ${at(y, row)} --stabilizers ${[...names]}`;
   const line = element("p", "command");
   const code = element("code", "", text);
   const button = element("button", "", "copy");

@@ -18,6 +18,7 @@ const LOST: f64 = 0.02;
 
 pub(super) fn notes(recording: &Recording, device: &Device, wall: Option<&Wall>) -> Vec<String> {
     let told = [
+        recording.unread_axes.clone(),
         gaps(recording),
         pushed(device),
         late(recording, device, wall),

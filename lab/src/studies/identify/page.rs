@@ -7,7 +7,7 @@ use crate::show::beside::beside;
 use crate::show::csv::{self, Field};
 use crate::show::html;
 use crate::show::json;
-use crate::show::labelled::labelled;
+use crate::show::labelled::labelled_in_parts;
 
 impl Identified {
     /// The page of the fit, as HTML; `command` made it.
@@ -19,7 +19,7 @@ impl Identified {
                        over the position, with the wall at rest.";
         let body = html! {
             p { "By " (html::maker(command)) ". " (setting) "." }
-            (labelled(lines))
+            (labelled_in_parts(lines, "bad rows", &self.report.bad_rows_told()))
             h2 { "Numbers" }
             (self.report.table().to_html("short"))
             h2 { "Log and model" }

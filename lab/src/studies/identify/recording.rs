@@ -28,6 +28,8 @@ pub struct Recording {
     /// The columns as they were read, and whether their numbers have decimal commas.
     pub(super) columns: Vec<Column>,
     pub(super) decimal_commas: bool,
+    /// A sentence about axes that were not read.
+    pub(super) unread_axes: Option<String>,
     pub(super) bad_rows: BadRows,
     /// The signs of a mistake in it.
     pub(super) look_at: Vec<Oddity>,
@@ -72,8 +74,17 @@ impl Recording {
         let look_at = signs.finish(period, bad_rows.count);
         let origin = origin(&rows);
         let (stretches, gaps) = stretches(&rows, origin, period);
-        let (columns, decimal_commas) = (log.columns().to_vec(), log.has_decimal_commas());
-        Ok(Self { stretches, gaps, origin, period, columns, decimal_commas, bad_rows, look_at })
+        Ok(Self {
+            stretches,
+            gaps,
+            origin,
+            period,
+            columns: log.columns().to_vec(),
+            decimal_commas: log.has_decimal_commas(),
+            unread_axes: log.unread_axes().map(str::to_owned),
+            bad_rows,
+            look_at,
+        })
     }
 
     /// The number of rows that are fitted to.

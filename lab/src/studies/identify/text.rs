@@ -42,7 +42,7 @@ impl Report {
         if let Some(told) = described(&self.columns, self.decimal_commas) {
             say("columns", &told);
         }
-        for (line, text) in self.bad_rows.lines(", left out").iter().enumerate() {
+        for (line, text) in self.bad_rows_told().iter().enumerate() {
             say(if line == 0 { "bad rows" } else { "" }, text);
         }
         let grid = self.resolution.map(|it| {
@@ -59,6 +59,11 @@ impl Report {
         self.look_at.iter().for_each(|it| say("look at", &it.text));
         lines.push(String::new());
         lines.join("\n")
+    }
+
+    /// What is told of bad rows, a line each.
+    pub(super) fn bad_rows_told(&self) -> Vec<String> {
+        self.bad_rows.lines(", left out")
     }
 
     /// The distance of a run of the scene from the log, with possible causes where it is large.

@@ -128,12 +128,12 @@ fn heard(
         watch.add(&entry);
     }
     let (report, traces) = watch.finish(name)?;
-    let (columns, decimal_commas) = (log.columns().to_vec(), log.has_decimal_commas());
     let report = Report {
         candidate: settings.candidate,
         late: settings.late,
-        columns,
-        decimal_commas,
+        columns: log.columns().to_vec(),
+        decimal_commas: log.has_decimal_commas(),
+        notes: log.unread_axes().map(str::to_owned).into_iter().collect(),
         ..report
     };
     Ok(Observed { report, traces })

@@ -6,7 +6,7 @@ use super::Observed;
 use crate::show::beside::beside;
 use crate::show::csv::{self, Field};
 use crate::show::html;
-use crate::show::labelled::labelled;
+use crate::show::labelled::{labelled, labelled_in_parts};
 
 impl Observed {
     /// The page of the log, as HTML; `command` made it.
@@ -28,7 +28,7 @@ impl Observed {
         }
         let body = html! {
             p { "By " (html::maker(command)) ". " (setting) "." }
-            (labelled(lines))
+            (labelled_in_parts(lines, "bad rows", &self.report.bad_rows_told()))
             @if let Some(contacts) = self.report.worst_contacts() {
                 h2 { "Contacts that generated most" }
                 (contacts.to_html("short"))

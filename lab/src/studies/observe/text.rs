@@ -39,6 +39,7 @@ impl fmt::Display for Lines<'_> {
         report.write_columns(f)?;
         report.write_rows(f, &units)?;
         report.write_sums(f, &units)?;
+        report.notes.iter().try_for_each(|it| line(f, "note", it))?;
         report.look_at.iter().try_for_each(|it| line(f, "look at", &it.text))?;
         report.write_contacts(f)
     }
@@ -71,10 +72,13 @@ impl Units {
     }
 
     fn time(&self, time: f64) -> String {
-        if time.abs() < 1e15 {
-            format!("{time:.*}", self.decimals)
-        } else {
-            found(time).to_string()
+        if time.abs() >= 1e15 {
+            return found(time).to_string();
+        }
+        let text = format!("{time:.*}", self.decimals);
+        match text.strip_prefix('-') {
+            Some(size) if size.chars().all(|it| "0.".contains(it)) => size.to_owned(),
+            _ => text,
         }
     }
 
@@ -115,7 +119,7 @@ impl Report {
     }
 
     fn write_bad_rows(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines = self.bad_rows.lines("; the next good row spans the gap");
+        let lines = self.bad_rows_told();
         let Some((first, more)) = lines.split_first() else {
             return line(f, "bad rows", "none");
         };
@@ -166,6 +170,11 @@ impl Report {
                 found(damping)
             ),
         }
+    }
+
+    /// What is told of bad rows, a line each.
+    pub(super) fn bad_rows_told(&self) -> Vec<String> {
+        self.bad_rows.lines("; the next good row spans the gap")
     }
 
     /// All lines but the table of contacts.
