@@ -169,6 +169,18 @@ async function cells(browser, path, csv, [columns, lines]) {
   await page.close();
 }
 
+/** The names of a plot have the dash of their curves: of `run --against` the log is dashed, and the run is not. */
+async function dashes(browser, path) {
+  const page = await browser.open(`file://${path}`);
+  await ready(page);
+  const shown = (label) =>
+    page.value(`[...document.querySelectorAll('#against .curve')].find((it) => it.textContent.startsWith("${label}")).querySelector('.swatch').style.background`);
+  assert.match(await shown("log"), /^repeating-linear-gradient.* 0px, .* 6px, .* 6px, .* 9px\)$/);
+  assert.doesNotMatch(await shown("run"), /gradient/);
+  assert.deepEqual(page.faults(), []);
+  await page.close();
+}
+
 const browser = new Browser(chromium);
 try {
   const model = made("model", "compare", "scenes/models/van-der-pol.toml");
@@ -194,6 +206,7 @@ try {
   lyapunov("run", "scenes/paper-50k-popc.toml", "--quiet", "--csv", rowsOfRun);
   const positions = rows(rowsOfRun).map(({ t, x }) => ({ t: Number(t), v: 1e3 * Number(x) }));
   await curves(browser, run("report.html"), "position, mm", positions, 1e-5);
+  await dashes(browser, against("report.html"));
   await sorting(browser, model("report.html"));
   await cells(browser, map("report.html"), map("map.csv"), size);
   await cells(browser, capped("report.html"), capped("map.csv"), [4, 4]);

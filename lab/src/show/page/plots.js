@@ -33,7 +33,10 @@ class Plot {
     button.type = "button";
     button.setAttribute("aria-pressed", "true");
     const swatch = element("span", "swatch");
-    swatch.style.background = curve.colour === "#000000" ? "var(--ink)" : curve.colour;
+    const colour = curve.colour === "#000000" ? "var(--ink)" : curve.colour;
+    let at = 0;
+    const stops = curve.dash.map((part, index) => `${index % 2 ? "#0000" : colour} ${at}px ${(at += part)}px`);
+    swatch.style.background = stops.length ? `repeating-linear-gradient(90deg, ${stops})` : colour;
     curve.value = element("span", "value");
     button.append(swatch, element("span", "", curve.label || this.panel.y || this.panel.x || "value"), curve.value);
     button.addEventListener("click", () => this.figure.toggle(curve, !curve.shown));
