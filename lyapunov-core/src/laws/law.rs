@@ -20,7 +20,7 @@ macro_rules! laws {
         }
 
         impl Law {
-            /// What most often breaks it.
+            /// The most frequent cause of a breach.
             pub fn likely_cause(self) -> &'static str {
                 match self {
                     $(Self::$law => $cause,)+

@@ -61,7 +61,7 @@ impl Report {
         lines.join("\n")
     }
 
-    /// What is told of bad rows, a line each.
+    /// The lines about bad rows.
     pub(super) fn bad_rows_told(&self) -> Vec<String> {
         self.bad_rows.lines(", left out")
     }

@@ -55,7 +55,7 @@ pub struct Report {
     pub contacts: Contacts,
     /// The signs of a mistake in the log, such as a unit that looks off.
     pub look_at: Vec<Oddity>,
-    /// What the log cannot tell, in a sentence each; left out of the JSON where there is nothing.
+    /// Sentences about the rest of the log; left out of the JSON where there is nothing.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
     /// What stabilizers would have done; none where nobody was asked.

@@ -172,7 +172,7 @@ impl Report {
         }
     }
 
-    /// What is told of bad rows, a line each.
+    /// The lines about bad rows.
     pub(super) fn bad_rows_told(&self) -> Vec<String> {
         self.bad_rows.lines("; the next good row spans the gap")
     }
