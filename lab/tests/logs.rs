@@ -34,9 +34,9 @@ fn a_log_of_another_encoding_or_too_few_columns_is_told_so() {
     let many = format!("t,x,f\r{}", "0,0,0\r".repeat(50_000)).into_bytes();
     for (log, words) in [
         (&b"t;x\n0;0\n"[..], "a log needs columns of time, position and force; there are t, x"),
-        (b"a,\xff\xfe,b,c\n", "the file is not UTF-8: byte 0xff in"),
-        (b"t,x,Kr\xe4ft\n0,0,0\n", "not UTF-8: byte 0xe4 in `Kr\u{fffd}ft`; save it as UTF-8"),
-        (b"t,x [\xb5m],f\n0,0,0\n", "byte 0xb5 in `x [\u{fffd}m]`; save it as UTF-8"),
+        (b"a,\xff\xfe,b,c\n", "the file is not UTF-8 in `"),
+        (b"t,x,Kr\xe4ft\n0,0,0\n", "not UTF-8 in `Kr\u{fffd}ft`: save it as UTF-8"),
+        (b"t,x [\xb5m],f\n0,0,0\n", "in `x [\u{fffd}m]`: save it as UTF-8"),
         (b"t,x\xb0,f\n0,0,0\n", "or give --columns the numbers of the columns, from 1"),
         (&utf_16("\u{feff}t,x,f\n0,0,0\n"), "it looks like UTF-16: save it as UTF-8"),
         (&utf_16("t,x,f\n0,0,0\n"), "it looks like UTF-16: save it as UTF-8"),

@@ -16,13 +16,14 @@ pub(super) fn unread(read: &str, headings: &[String]) -> Option<String> {
     let own = name(read, Role::X);
     let own = own.split('_').next().filter(|it| AXES.contains(it)).unwrap_or(AXES[0]);
     let columns = AXES.into_iter().filter(|axis| *axis != own).filter_map(|axis| {
-        let mut forces =
-            [format!("{axis}_f_act"), format!("f_{axis}"), format!("f{axis}")].to_vec();
-        if axis == AXES[0] {
-            forces.push("f_act".to_owned());
-        }
+        let is_force = |name: &str| {
+            let of = name
+                .strip_suffix("_f_act")
+                .or_else(|| Some(name.strip_prefix('f')?.trim_start_matches('_')));
+            of == Some(axis) || axis == AXES[0] && name == "f_act"
+        };
         let position = headings.iter().find(|it| name(it, Role::X) == axis)?;
-        Some([position, headings.iter().find(|it| forces.contains(&name(it, Role::F)))?])
+        Some([position, headings.iter().find(|it| is_force(&name(it, Role::F)))?])
     });
     let columns: Vec<String> = columns.flatten().map(|text| shorten(text)).collect();
     let read = if own == AXES[0] { "the first axis" } else { own };

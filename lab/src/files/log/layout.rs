@@ -229,24 +229,14 @@ fn missing(asked: &str, fields: &[&[u8]]) -> String {
     }
     let names: Vec<String> =
         fields.iter().map(|field| String::from_utf8_lossy(field).into_owned()).collect();
-    let fault = |field: &[u8]| field.get(str::from_utf8(field).err()?.valid_up_to()).copied();
-    let faults = fields.iter().zip(&names);
-    if let Some((byte, name)) = faults.filter_map(|(it, name)| Some((fault(it)?, name))).next() {
+    if let Some(name) = names.iter().find(|name| name.contains(char::REPLACEMENT_CHARACTER)) {
         return format!(
-            "the file is not UTF-8: byte {byte:#04x} in `{}`; save it as UTF-8, or give --columns the numbers of the columns, \
-             from 1, as in 1,2,3",
+            "the file is not UTF-8 in `{}`: save it as UTF-8, or give --columns the numbers of the columns, from 1, as in 1,2,3",
             shorten(name)
         );
     }
-    match &names[..] {
-        [] | [_] => return EXPECTED.to_owned(),
-        [first, second] => {
-            let [first, second] = [first, second].map(|name| shorten(name));
-            return format!(
-                "a log needs columns of time, position and force; there are {first}, {second}"
-            );
-        }
-        _ => {}
+    if names.len() < 2 {
+        return EXPECTED.to_owned();
     }
     if fields.iter().all(|field| is_number(field, b';')) {
         return "this line holds numbers, so the log has no names: give --columns the numbers of \
@@ -258,9 +248,13 @@ fn missing(asked: &str, fields: &[&[u8]]) -> String {
     if known.len() > LISTED {
         listed.push(format!("{} more", known.len() - LISTED));
     }
+    let listed = listed.join(", ");
+    if known.len() == 2 {
+        return format!("a log needs columns of time, position and force; there are {listed}");
+    }
     let guess = match nearest(asked, &known) {
         Some(name) => format!("did you mean `{}`? ", shorten(name)),
         None => String::new(),
     };
-    format!("{guess}name the column of {{role}} with --columns; there are {}", listed.join(", "))
+    format!("{guess}name the column of {{role}} with --columns; there are {listed}")
 }

@@ -6,7 +6,7 @@ use lyapunov::{
     ParameterError,
     trajectories::{Constant, Ramp, RampParts, Samples, Sine, Step, Trajectory},
 };
-use nalgebra::{DMatrix, DVector, RowDVector};
+use nalgebra::{DMatrix, DVector};
 
 use crate::files::scene::{Motion, Scene};
 use crate::simulate::{Space, Tick};
@@ -38,7 +38,7 @@ struct Shape {
     /// tick.
     burnt: [DMatrix<f64>; 3],
     /// The device's velocity at the end of a tick, from the same state.
-    velocity: RowDVector<f64>,
+    velocity: Vec<f64>,
 }
 
 /// Position and velocity of operator and device at a tick; both are the same without a link.
@@ -231,25 +231,21 @@ impl Shape {
         };
         let [device, operator, link] =
             outputs.map(|row| squared(&rates, &DVector::from_vec(row), scene.period()));
-        let (velocity, burnt) = (device.1.row(1).into_owned(), [device.0, operator.0, link.0]);
-        Self { stiffness, damping, burnt, velocity }
+        Self { stiffness, damping, burnt: [device.0, operator.0, link.0], velocity: device.1 }
     }
 
     /// Adds to the effort in `state` the friction that, held over the tick, leads to the device's velocity `end`.
     fn rub(&self, state: &mut DVector<f64>, end: f64) {
         let effort = state.len() - 1;
-        let friction = (end - (&self.velocity * &*state)[0]) / self.velocity[effort];
+        let alone: f64 = self.velocity.iter().zip(state.iter()).map(|(gain, it)| gain * it).sum();
+        let friction = (end - alone) / self.velocity[effort];
         state[effort] += if friction.is_finite() { friction } else { 0.0 };
     }
 }
 
-/// `∫ (c exp(A t))ᵀ (c exp(A t)) dt` from 0 to `period`, and `exp(A period)`: by their series over a short part, which is
-/// then doubled, `G(2 t) = G(t) + exp(A t)ᵀ G(t) exp(A t)`.
-fn squared(
-    rates: &DMatrix<f64>,
-    output: &DVector<f64>,
-    period: f64,
-) -> (DMatrix<f64>, DMatrix<f64>) {
+/// `∫ (c exp(A t))ᵀ (c exp(A t)) dt` from 0 to `period`, and the row of the velocity in `exp(A period)`: by series over a short
+/// part, which is then doubled, `G(2 t) = G(t) + exp(A t)ᵀ G(t) exp(A t)`.
+fn squared(rates: &DMatrix<f64>, output: &DVector<f64>, period: f64) -> (DMatrix<f64>, Vec<f64>) {
     // In units in which rows and columns are alike a stiff link takes as many doublings as its frequency asks for, and not
     // as many as its stiffness over a small mass; each doubles the rounding. They are powers of two, so they round nothing.
     let mut rates = rates.clone();
@@ -273,8 +269,8 @@ fn squared(
         sum = &sum + moved.transpose() * &sum * &moved;
         moved = &moved * &moved;
     }
-    let sum = DMatrix::from_fn(n, n, |row, column| sum[(row, column)] / units[row] / units[column]);
-    (sum, DMatrix::from_fn(n, n, |row, column| units[row] * moved[(row, column)] / units[column]))
+    let row = (0..n).map(|column| units[1] * moved[(1, column)] / units[column]).collect();
+    (DMatrix::from_fn(n, n, |row, column| sum[(row, column)] / units[row] / units[column]), row)
 }
 
 /// Units, powers of two, in which rows and columns of `rates` are alike: `D⁻¹ A D` (Parlett and Reinsch 1969). The sweeps
