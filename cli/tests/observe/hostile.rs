@@ -30,7 +30,7 @@ fn files_that_are_no_logs_are_refused() {
             b"t,x,f\n1,2\na,b,c\n",
             &["2 rows are bad, the first at line 2: 2 fields, not 3", "\n  = "],
         ),
-        (b"\x7fELF\0\0\0\n", &["standard input:1: this is no text: it holds a byte 0"]),
+        (b"\x7fELF\0\0\0\n", &["standard input:1: this is no text in UTF-8: it holds a byte 0"]),
         (b"\xff\xfet\0,\0x\0", &["this is no text"]),
         (b"0,1,2\n1,2,3\n", &["no column `t`", "the log has no names", "as in 1,2,3"]),
     ];

@@ -22,7 +22,7 @@ pub(crate) fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
 
 /// The word without the differences that people mix up: case, and the separator between the parts of a word.
 fn plain(word: &str) -> String {
-    word.to_lowercase().replace(['-', ' '], "_")
+    word.to_ascii_lowercase().replace(['-', ' '], "_")
 }
 
 fn likeness(word: &str, candidate: &str) -> f64 {

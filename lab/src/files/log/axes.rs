@@ -4,33 +4,41 @@ use super::columns::Role;
 use super::heading::Heading;
 use crate::text::shorten;
 
-/// The axes of a space, by the names of their positions.
-const AXES: [&str; 3] = ["x", "y", "z"];
+/// The axes of a space, by the names of position and force.
+const AXES: [(&str, &[&str]); 3] = [
+    ("x", &["f_act", "f_x", "fx"]),
+    ("y", &["y_f_act", "f_y", "fy"]),
+    ("z", &["z_f_act", "f_z", "fz"]),
+];
 
 /// A sentence about the `headings` that hold position and force of an axis which the position called `read` is not of; none
 /// without one.
 ///
 /// A column of either alone may be anything, such as an output `y` of a controller.
 pub(super) fn unread(read: &str, headings: &[String]) -> Option<String> {
-    let name = |text: &str, role| Heading::of(text, role).name.to_lowercase();
-    let own = name(read, Role::X);
-    let own = own.split('_').next().filter(|it| AXES.contains(it)).unwrap_or(AXES[0]);
-    let columns = AXES.into_iter().filter(|axis| *axis != own).filter_map(|axis| {
-        let is_force = |name: &str| {
-            let of = name
-                .strip_suffix("_f_act")
-                .or_else(|| Some(name.strip_prefix('f')?.trim_start_matches('_')));
-            of == Some(axis) || axis == AXES[0] && name == "f_act"
+    let find = |role, names: &[&str]| {
+        let is_such = |text: &&String| {
+            let name = Heading::of(text, role).name;
+            names.iter().any(|it| it.eq_ignore_ascii_case(name))
         };
-        let position = headings.iter().find(|it| name(it, Role::X) == axis)?;
-        Some([position, headings.iter().find(|it| is_force(&name(it, Role::F)))?])
-    });
-    let columns: Vec<String> = columns.flatten().map(|text| shorten(text)).collect();
-    let read = if own == AXES[0] { "the first axis" } else { own };
-    (!columns.is_empty()).then(|| {
+        headings.iter().find(is_such)
+    };
+    let name = Heading::of(read, Role::X).name;
+    let is_own =
+        |axis: &str| name.split('_').next().is_some_and(|it| it.eq_ignore_ascii_case(axis));
+    let own = if is_own("y") { 1 } else { 2 * usize::from(is_own("z")) };
+    let mut further = Vec::new();
+    for (index, (axis, forces)) in AXES.into_iter().enumerate() {
+        let columns = find(Role::X, &[axis]).zip(find(Role::F, forces));
+        if let Some((position, force)) = columns.filter(|_| index != own) {
+            further.extend([shorten(position), shorten(force)]);
+        }
+    }
+    let read = if own == 0 { "the first axis" } else { AXES[own].0 };
+    (!further.is_empty()).then(|| {
         format!(
             "the log has columns of further axes ({}): only {read} is read, and energy that passes along the others is missing",
-            columns.join(", ")
+            further.join(", ")
         )
     })
 }

@@ -48,13 +48,8 @@ impl Layout {
     ) -> Result<Self, LogError> {
         let wrong = |message: String| LogError::at(name, at, message);
         if line.contains(&0) {
-            return Err(wrong("this is no text: it holds a byte 0".to_owned()).with_help(
-                if is_utf_16(line) {
-                    "it looks like UTF-16: save it as UTF-8"
-                } else {
-                    "give a log of comma-separated values, as text in UTF-8"
-                },
-            ));
+            return Err(wrong("this is no text in UTF-8: it holds a byte 0".to_owned())
+                .with_help("text in UTF-16 looks like this: save it as UTF-8"));
         }
         if has_returns(line) {
             return Err(
@@ -63,7 +58,7 @@ impl Layout {
         }
         let delimiter = delimiter(line);
         let fields: Vec<&[u8]> = Fields::new(line, delimiter).map(bare).collect();
-        let (mut wanted, mut headings) = (Vec::new(), Vec::new());
+        let (mut wanted, mut headings, texts) = (Vec::new(), Vec::new(), texts(&fields));
         for (role, asked) in columns.roles() {
             let index = find(role, asked, &fields, columns).map_err(|(message, help)| {
                 wrong(message).with_help(help.replace("{role}", role.letter()))
@@ -78,11 +73,8 @@ impl Layout {
             }
             let place = wanted.partition_point(|(other, _)| *other < index);
             wanted.insert(place, (index, role));
-            let heading = String::from_utf8_lossy(fields[index]).into_owned();
-            headings.push((role, asked.to_owned(), heading));
+            headings.push((role, asked.to_owned(), texts[index].clone()));
         }
-        let texts = fields.iter().map(|field| String::from_utf8_lossy(field).into_owned());
-        let texts: Vec<String> = texts.collect();
         let unread_axes = unread(&headings[Role::X.index()].2, &texts);
         let is_row = columns.numbered()
             && wanted.iter().any(|(index, _)| is_number(fields[*index], delimiter));
@@ -214,10 +206,9 @@ pub(super) fn has_returns(line: &[u8]) -> bool {
     line.trim_ascii().contains(&b'\r')
 }
 
-/// Whether a line that holds a byte 0 begins as UTF-16 may, or has one in all even or all odd places, as Latin letters have.
-fn is_utf_16(line: &[u8]) -> bool {
-    let zeros = |from| line.iter().skip(from).step_by(2).all(|byte| *byte == 0);
-    line.starts_with(b"\xff\xfe") || line.starts_with(b"\xfe\xff") || zeros(0) != zeros(1)
+/// The fields as text.
+fn texts(fields: &[&[u8]]) -> Vec<String> {
+    fields.iter().map(|field| String::from_utf8_lossy(field).into_owned()).collect()
 }
 
 /// Remedy for a column that is not there.
@@ -227,8 +218,7 @@ fn missing(asked: &str, fields: &[&[u8]]) -> String {
     if fields.iter().any(is_odd) || fields.first().is_some_and(opens) {
         return EXPECTED.to_owned();
     }
-    let names: Vec<String> =
-        fields.iter().map(|field| String::from_utf8_lossy(field).into_owned()).collect();
+    let names = texts(fields);
     if let Some(name) = names.iter().find(|name| name.contains(char::REPLACEMENT_CHARACTER)) {
         return format!(
             "the file is not UTF-8 in `{}`: save it as UTF-8, or give --columns the numbers of the columns, from 1, as in 1,2,3",

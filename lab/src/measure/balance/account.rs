@@ -149,7 +149,7 @@ impl<V: Space<Scalar = f64>> Account<V> {
     pub(super) fn new<S: Space<Double = V>>(scene: &Scene, body: Body) -> Self {
         Self {
             body,
-            span: spans::<S>(scene),
+            span: spans::<S::Scalar>(scene),
             share: Share::new::<S>(scene),
             ticks: 0,
             last: None,
@@ -296,14 +296,13 @@ impl<V: Space<Scalar = f64>> Account<V> {
     }
 }
 
-/// The time that the plant of `scene` moves on each tick, in the scalar of `S`: of jitter the numbers that the plant drew.
-fn spans<S: Space>(scene: &Scene) -> Box<dyn FnMut() -> f64> {
+/// The time that the plant of `scene` moves on each tick, in the scalar `T`: of jitter the numbers that the plant drew.
+fn spans<T: Scalar>(scene: &Scene) -> Box<dyn FnMut() -> f64> {
     let period = scene.period();
     let Some(jitter) = scene.effects.jitter else { return Box::new(move || period) };
     let mut random = Random::new(|_| jitter.seed.get(), Source::Jitter);
-    let of = S::Scalar::of;
-    let (period, deviation) = (of(period), of(jitter.deviation.get()));
-    Box::new(move || (period + deviation * random.normal::<S::Scalar>()).larger(of(0.0)).lane(0))
+    let (period, deviation) = (T::of(period), T::of(jitter.deviation.get()));
+    Box::new(move || (period + deviation * random.normal::<T>()).larger(T::of(0.0)).lane(0))
 }
 
 /// Adds a tick that ends at `time`.

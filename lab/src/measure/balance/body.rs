@@ -126,17 +126,16 @@ impl Body {
         self.grip(tick);
         let along = |axis: usize| {
             let (from, to) = (from.along(axis), to.along(axis));
-            let passed = self.pass_along(axis, (tick, before[axis]), from, to, effort.axis(axis));
-            Passed { burnt: passed.burnt.map(|it| it * (span / self.scene.period())), ..passed }
+            self.pass_along(axis, (tick, span, before[axis]), from, to, effort.axis(axis))
         };
         axes.map(along).reduce(Add::add).unwrap_or_default()
     }
 
-    /// The energies along an axis from `tick` on, where the body stored `before` until then.
+    /// The energies along an axis over `span` s from `tick` on, where the body stored `before` until then.
     fn pass_along(
         &self,
         axis: usize,
-        (tick, before): (u64, f64),
+        (tick, span, before): (u64, f64, f64),
         from: Masses<f64>,
         to: Masses<f64>,
         effort: f64,
@@ -149,8 +148,10 @@ impl Body {
             self.shape.rub(&mut state, to.device[1]);
         }
         let burnt = &self.shape.burnt;
-        let burn =
-            |index: usize, damping: f64| damping * (state.transpose() * &burnt[index] * &state)[0];
+        let share = span / self.scene.period();
+        let burn = |index: usize, damping: f64| {
+            damping * (state.transpose() * &burnt[index] * &state)[0] * share
+        };
         let device = self.scene.device.damping.get();
         let link = self.scene.link.map_or(0.0, |link| link.damping.get());
         Passed {

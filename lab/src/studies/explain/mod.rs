@@ -104,7 +104,7 @@ impl Explanation {
             remedies: Vec::new(),
             look_at,
         };
-        let own = trial.whole;
+        let own = trial.moved;
         let search = explanation.goal().map(|goal| Search { goal, own, run, watch });
         let remedies = search.map_or_else(Vec::new, |it| it.remedies(scene));
         Self { remedies, ..explanation }

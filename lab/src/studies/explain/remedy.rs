@@ -8,7 +8,7 @@ use crate::files::scene::{
     Candidate, Cap, Draft, Integrator, Ledger, Lolc, NonNegative, Popc, Positive, Scene,
     Stabilizer, Work,
 };
-use crate::measure::balance::{Balance, Feel, Trial};
+use crate::measure::balance::{Feel, Trial};
 use crate::measure::{LinearPart, Verdict};
 
 /// Safety factor that keeps a remedy inside a limit.
@@ -61,8 +61,8 @@ pub(super) type Run = fn(&Scene, &Watch<'_>) -> Option<Trial>;
 /// Search for changes whose run reaches a goal.
 pub(super) struct Search<'a> {
     pub(super) goal: Goal,
-    /// The energies of the run without a change: what leaves them as they are, to the bit, does nothing.
-    pub(super) own: Balance,
+    /// The energies moved in the run without a change, J: what leaves them as they are, to the bit, does nothing.
+    pub(super) own: f64,
     pub(super) run: Run,
     pub(super) watch: &'a Watch<'a>,
 }
@@ -88,7 +88,7 @@ impl Search<'_> {
             return None;
         }
         let trial = (self.run)(&scene, self.watch);
-        let helps = |trial: &Trial| self.goal.is_reached(trial.verdict) && trial.whole != self.own;
+        let helps = |trial: &Trial| self.goal.is_reached(trial.verdict) && trial.moved != self.own;
         let trial = trial.filter(helps)?;
         let Trial { verdict, feel: Feel { peak, error }, .. } = trial;
         Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
