@@ -9,7 +9,6 @@ use super::compared::Compared;
 use crate::show::beside::{beside, unfit};
 use crate::show::html;
 use crate::show::table::Table;
-use crate::text::at_commas;
 
 /// A comparison as it is shown; in the terminal it takes 100 columns at most, unless a name is longer.
 #[derive(Clone, Debug)]
@@ -32,8 +31,7 @@ pub struct Sheet {
 
 impl fmt::Display for Sheet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let setting = at_commas("", &format!("{}: {}", self.name, self.setting));
-        writeln!(f, "{setting}\n{}", self.start.replace("; ", "\n"))?;
+        writeln!(f, "{}: {}\n{}", self.name, self.setting, self.start.replace("; ", "\n"))?;
         self.tables.iter().try_for_each(|table| write!(f, "\n{table}"))
     }
 }

@@ -11,7 +11,7 @@ use crate::show::described;
 use crate::show::table::{Cell, Table};
 use crate::show::verdict::by_speed;
 use crate::studies::explain::in_balance;
-use crate::text::{at_commas, folded, given};
+use crate::text::{folded, given};
 
 /// Columns of the loop's behaviour.
 const BEHAVIOUR: [Column; 8] = [
@@ -48,8 +48,7 @@ const PHYSICAL: [Column; 6] = [
 ];
 
 pub(super) fn write(comparison: &Comparison, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    let setting = format!("{}: {}", comparison.name, Setting(&comparison.scene));
-    writeln!(f, "{}", at_commas("", &setting))?;
+    writeln!(f, "{}: {}", comparison.name, Setting(&comparison.scene))?;
     writeln!(f, "POPC and LOLC: {}", comparison.settings)?;
     for remark in remarks(comparison) {
         writeln!(f, "{remark}")?;

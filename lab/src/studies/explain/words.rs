@@ -69,14 +69,15 @@ impl Explanation {
         }
         let over = broken(&self.limits);
         for (_, name, most, times) in &over {
-            let how = match times {
-                Some(times) => {
-                    let (most, times) = (found(*most), found(*times));
-                    format!("at most {most} N/m, the scene has {times} times that")
-                }
-                None => "no stiffness passes".to_owned(),
-            };
-            writeln!(f, "{}", folded("  broken       ", &format!("{name}: {how}")))?;
+            match times {
+                Some(times) => writeln!(
+                    f,
+                    "  broken       {name}: at most {} N/m, the scene has {} times that",
+                    found(*most),
+                    found(*times)
+                )?,
+                None => writeln!(f, "  broken       {name}: no stiffness passes")?,
+            }
         }
         if over.is_empty() {
             writeln!(f, "  broken       no limit that applies")?;
