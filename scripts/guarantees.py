@@ -63,14 +63,20 @@ def skipped(name, log):
 
 def test_fault(path, function, tests):
     """What is wrong with a test as evidence, or nothing."""
-    found = re.search(rf"((?:^\s*#\[[^\n]*\]\n)*)^\s*(?:pub )?fn {function}\(", path.read_text(encoding="utf-8"), re.M)
-    if not found or "#[test]" not in found[1]:
+    text = path.read_text(encoding="utf-8")
+    written = re.search(rf"((?:^\s*#\[[^\n]*\]\n)*)^\s*(?:pub )?fn {function}\(", text, re.M)
+    if not (written and "#[test]" in written[1]) and not made(function, text):
         return "no such test"
-    if "#[ignore" in found[1]:
+    if written and "#[ignore" in written[1]:
         return "the test is ignored"
     if tests is None or any(ran(path, function, target) for target in re.split(r"^ +Running (?:unittests )?", tests, flags=re.M)):
         return None
     return "the test did not run, or failed"
+
+
+def made(function, text):
+    """Whether a macro of tests/properties/support makes tests of the function, one for each type."""
+    return re.search(rf"^crate::support::(each_type|every_port|every_real)!\([^;]*\b{function}\b", text, re.M) is not None
 
 
 def ran(path, function, target):
@@ -78,7 +84,8 @@ def ran(path, function, target):
     root = target.split(" ", 1)[0].removeprefix("../")
     # In the root file itself there is no module of its name; a file may have modules inside.
     module = r"(\S+::)?" if str(path).endswith(f"/{root}") else rf"(\S+::)?{path.stem}::(\S+::)?"
-    return re.search(rf"^test {module}{function}( - should panic)? \.\.\. ok$", target, re.M) is not None
+    # What a macro makes of a function has a name for each type.
+    return re.search(rf"^test {module}{function}(::\w+)?( - should panic)? \.\.\. ok$", target, re.M) is not None
 
 
 def missing(evidence, tests, steps):
