@@ -1,6 +1,6 @@
 //! Equilibrium of a scene.
 
-use lyapunov::environments::{Kinematics, NearestPoint, Solid, Time};
+use lyapunov::environments::{Kinematics, NearestPoint, Solid};
 use nalgebra::SVector;
 
 use super::building::Space;
@@ -100,8 +100,7 @@ fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
     if kind.frequency().is_some() {
         return None;
     }
-    let law = scene.law()?;
-    let surface = law.surface(Time::Seconds(0.0)).map(|surface| surface.position);
+    let surface = scene.surface();
     if surface.is_some_and(|surface| free <= surface) {
         return Some(free);
     }
@@ -111,6 +110,7 @@ fn balance(scene: &Draft, pull: f64, free: f64) -> Option<f64> {
             None => (pull + push > 0.0).then(|| (pull * free + push * position) / (pull + push)),
         };
     }
+    let law = scene.law()?;
     let force = |x: f64| law.force(&Kinematics::at(x, 0.0));
     // A force that grows with the position is no larger than at `free` on the way there.
     let reach = (force(free).abs() / pull).min(f64::MAX / 4.0);

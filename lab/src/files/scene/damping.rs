@@ -34,7 +34,8 @@ impl Damping {
     pub(crate) fn limit_of_lanes<T: Scalar>(
         lane: &dyn Fn(usize) -> Self,
     ) -> Result<DampingLimit<T>, ParameterError> {
-        let each = |number: fn(Self) -> f64| numbers(&mut |index| number(lane(index)));
+        let lanes: Vec<Self> = (0..T::LANES).map(lane).collect();
+        let each = |number: fn(Self) -> f64| numbers(&mut |index| number(lanes[index]));
         DampingLimit::of_mass(each(|it| it.cap), each(|it| it.port_mass), each(|it| it.period))
     }
 }

@@ -183,7 +183,11 @@ impl Draft {
 
     /// The place of the environment's surface at the start, m; none without one and in more than one dimension.
     pub(crate) fn surface(&self) -> Option<f64> {
-        self.law()?.surface(Time::Seconds(0.0)).map(|surface| surface.position)
+        // Maps ask it of a wall for every cell, which needs no box.
+        match self.environment.wall() {
+            Some(wall) => Some(wall.position.get()),
+            None => self.law()?.surface(Time::Seconds(0.0)).map(|surface| surface.position),
+        }
     }
 }
 

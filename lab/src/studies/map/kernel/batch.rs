@@ -11,7 +11,7 @@ pub(super) trait Batch: Fuse {
     /// Groups of lanes that run side by side: one computes while another waits for a quotient.
     const BESIDE: usize;
 
-    /// Whether a loop over the ticks keeps a group in registers; else it stays where it is in memory.
+    /// Whether a loop over the ticks keeps its groups, one or two, in registers; else they stay where they are in memory.
     const IN_REGISTERS: bool;
 
     /// Runs `job` compiled for the instructions of the lanes.

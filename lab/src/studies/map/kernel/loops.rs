@@ -14,10 +14,10 @@ use super::meter::Watch;
 use super::numbers::Numbers;
 use super::parts::{Accounted, Bodies};
 use super::port::StabilizedWall;
-use super::rollout::{Loop, STRETCH};
+use super::rollout::{Loop, STRETCH, Watched, run};
 use super::sure::PERIODS;
 #[cfg(target_arch = "x86_64")]
-use super::{F64s, JUDGED, Proven, V3, V4};
+use super::{F64s, Proven, V3, V4, VECTORS};
 use crate::measure::GoOn;
 use crate::simulate::{F64x8, Instructions};
 
@@ -78,11 +78,11 @@ impl Loops<'_> {
             Instructions::Base => self.under::<F64x8>(recipe, &|| (), go_on, ends),
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx2(proof) => {
-                self.under::<F64s<V3, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on, ends)
+                self.under::<F64s<V3, VECTORS>>(recipe, &|| proof.prove(), go_on, ends)
             }
             #[cfg(target_arch = "x86_64")]
             Instructions::Avx512(proof) => {
-                self.under::<F64s<V4, { JUDGED[0] }>>(recipe, &|| proof.prove(), go_on, ends)
+                self.under::<F64s<V4, VECTORS>>(recipe, &|| proof.prove(), go_on, ends)
             }
         };
         Ok(is_whole?.then_some(room))
@@ -260,27 +260,17 @@ impl<T: Batch, S: Accounted<T>> Group<T, S> {
         let told = [sample.position, sample.velocity, energy, self.seen.reach];
         (0..T::LANES).map(move |lane| told.map(|number| number.lane(lane)))
     }
+}
 
-    /// Runs some ticks in registers.
-    #[inline(always)]
-    fn run(&mut self, ticks: u64) {
-        let Self { looped, seen, .. } = self;
-        let mut left = ticks;
-        while left > 0 {
-            let ticks = STRETCH.min(left);
-            if !looped.leap(ticks, seen.watch()) {
-                looped.run(ticks, seen.watch());
-            }
-            left -= ticks;
-        }
-    }
+impl<T: Batch, S: Accounted<T>> Watched<T, S> for Group<T, S> {
+    type Watch<'a>
+        = Seeing<'a, T>
+    where
+        Self: 'a;
 
-    /// Runs one tick in memory.
     #[inline(always)]
-    fn tick(&mut self) {
-        let mut watch = self.seen.watch();
-        self.looped.tick(&mut watch);
-        watch.end(1);
+    fn apart(&mut self) -> (&mut Loop<T, S>, Seeing<'_, T>) {
+        (&mut self.looped, self.seen.watch())
     }
 }
 
@@ -297,29 +287,17 @@ struct Ticks<'a, T: Batch, S> {
     ticks: u64,
 }
 
-impl<T: Batch, S: Accounted<T>> Ticks<'_, T, S> {
-    #[inline(always)]
-    fn run(&mut self, ticks: u64) {
-        if T::IN_REGISTERS {
-            for group in self.groups.iter_mut() {
-                group.run(ticks);
-            }
-        } else {
-            for _ in 0..ticks {
-                for group in self.groups.iter_mut() {
-                    group.tick();
-                }
-            }
-        }
-    }
-}
-
 impl<T: Batch, S: Accounted<T>> NullaryFnOnce for Ticks<'_, T, S> {
     type Output = ();
 
     #[inline(always)]
-    fn call(mut self) {
-        self.run(self.ticks);
+    fn call(self) {
+        let mut left = self.ticks;
+        while left > 0 {
+            let ticks = STRETCH.min(left);
+            run(self.groups, ticks);
+            left -= ticks;
+        }
     }
 }
 

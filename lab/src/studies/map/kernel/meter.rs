@@ -137,7 +137,8 @@ impl<T: Fuse> Meter<T> for Verdicts<T> {
         if (near & self.accepted).all() {
             return None;
         }
-        let is_out = |lane| f64::from(lane < self.lanes && self.fate.is_out(lane));
+        let is_out =
+            |lane| f64::from(lane < self.lanes && !near.lane(lane) && self.fate.is_out(lane));
         let out = !self.accepted | T::from_lanes(is_out).above(T::zero());
         out.any().then_some(out)
     }

@@ -198,26 +198,20 @@ impl Kernel {
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx2(proof)) => {
                 proof.prove();
-                W::on_vectors::<V3>(run, is_wide)
+                run.on_vectors::<V3, W>(is_wide)
             }
             #[cfg(target_arch = "x86_64")]
             (Lanes::Many, Instructions::Avx512(proof)) => {
                 proof.prove();
-                W::on_vectors::<V4>(run, is_wide)
+                run.on_vectors::<V4, W>(is_wide)
             }
         }
     }
 }
 
-/// Vectors of a group: one computes while another waits for a quotient, and together they fit into the registers. Small ones
-/// wait longer for a quotient than for what did not fit.
+/// Vectors of a group: one computes while another waits for a quotient, and those of two groups fit into the registers.
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
-const VECTORS: usize = if cfg!(target_feature = "simd128") { 4 } else { 2 };
-
-/// Vectors of a group that is only judged, whose ticks [without checks](sure) need few registers: of `f64` and of `f32`, whose
-/// quotients take less time.
-#[cfg(target_arch = "x86_64")]
-const JUDGED: [usize; 2] = [4, 3];
+const VECTORS: usize = 2;
 
 /// Lanes of `f64` that every processor of the target has.
 #[cfg(not(target_feature = "simd128"))]
@@ -228,7 +222,7 @@ type BaseF64s = F64s<Simd128, VECTORS>;
 /// Lanes of a group on vectors of `S`.
 #[cfg(target_arch = "x86_64")]
 fn lanes_of<S: Proven>(is_wide: bool) -> usize {
-    if is_wide { F64s::<S, { JUDGED[0] }>::LANES } else { F32s::<S, { JUDGED[1] }>::LANES }
+    if is_wide { F64s::<S, VECTORS>::LANES } else { F32s::<S, VECTORS>::LANES }
 }
 
 /// Whether the kernel has all parts of a scene.
@@ -272,10 +266,6 @@ trait Watching {
     type Meter<T: Batch>: Meter<T, Reading = Self::Reading>;
 
     fn empty() -> Self::Reading;
-
-    /// Runs the rollouts on vectors of instructions that the thread has proven, `f64` or `f32`.
-    #[cfg(target_arch = "x86_64")]
-    fn on_vectors<S: Proven>(run: Run<'_>, is_wide: bool) -> Readings<Self::Reading>;
 }
 
 /// A reading of every cell; none if the run was stopped.
@@ -290,14 +280,6 @@ impl Watching for Judge {
     fn empty() -> (Verdict, Yardstick) {
         (Verdict::TooShort, Yardstick::Distance)
     }
-
-    #[cfg(target_arch = "x86_64")]
-    fn on_vectors<S: Proven>(run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
-        match is_wide {
-            true => run.on::<F64s<S, { JUDGED[0] }>, Self>(),
-            false => run.on::<F32s<S, { JUDGED[1] }>, Self>(),
-        }
-    }
 }
 
 struct MeasureAll;
@@ -309,17 +291,18 @@ impl Watching for MeasureAll {
     fn empty() -> Measures {
         Measures::default()
     }
-
-    #[cfg(target_arch = "x86_64")]
-    fn on_vectors<S: Proven>(run: Run<'_>, is_wide: bool) -> Readings<Self::Reading> {
-        match is_wide {
-            true => run.on::<F64s<S, VECTORS>, Self>(),
-            false => run.on::<F32s<S, VECTORS>, Self>(),
-        }
-    }
 }
 
 impl Run<'_> {
+    /// Runs the rollouts on vectors of instructions that the thread has proven, `f64` or `f32`.
+    #[cfg(target_arch = "x86_64")]
+    fn on_vectors<S: Proven, W: Watching>(self, is_wide: bool) -> Readings<W::Reading> {
+        match is_wide {
+            true => self.on::<F64s<S, VECTORS>, W>(),
+            false => self.on::<F32s<S, VECTORS>, W>(),
+        }
+    }
+
     /// Runs the rollouts with the type of the stabilizer.
     fn on<T: Batch, W: Watching>(self) -> Readings<W::Reading> {
         type DeviceDamped<T> = (PortEnergy, Dissipation<T>);

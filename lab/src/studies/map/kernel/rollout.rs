@@ -6,9 +6,10 @@ use pulp::NullaryFnOnce;
 use super::Readings;
 use super::batch::Batch;
 use super::meter::{Meter, Watch};
-use super::parts::{Accounted, Bodies, Laned};
+use super::parts::{Accounted, Bodies, Crediting, Laned};
 use super::port::StabilizedWall;
 use super::seats::Seats;
+use super::sure::{Asked, SurePort};
 use crate::measure::GoOn;
 
 /// Ticks between two checks whether groups are decided.
@@ -46,7 +47,7 @@ impl<T: Batch, S: Stabilizer<T>> Loop<T, S> {
     }
 
     #[inline(always)]
-    pub(super) fn tick(&mut self, watch: &mut impl Watch<T>) {
+    fn tick(&mut self, watch: &mut impl Watch<T>) {
         let correction = self.port.respond(&self.sample);
         watch.add(&self.sample, self.port.answer(), &correction);
         advance_by(correction.effort, &mut self.plant, &mut self.sample);
@@ -56,7 +57,7 @@ impl<T: Batch, S: Stabilizer<T>> Loop<T, S> {
 impl<T: Batch, S: Accounted<T>> Loop<T, S> {
     /// Runs some ticks in registers.
     #[inline(always)]
-    pub(super) fn run(&mut self, ticks: u64, mut watch: impl Watch<T>) {
+    fn run(&mut self, ticks: u64, mut watch: impl Watch<T>) {
         self.port.catch_up();
         let mut own = *self;
         for _ in 0..ticks {
@@ -68,17 +69,46 @@ impl<T: Batch, S: Accounted<T>> Loop<T, S> {
 
     /// Runs some ticks [without checks](super::sure) and tells whether they needed none; else nothing has happened.
     #[inline(always)]
-    pub(super) fn leap(&mut self, ticks: u64, mut watch: impl Watch<T>) -> bool {
-        if !T::IN_REGISTERS || self.tries == 0 {
-            return false;
-        }
-        let Some(mut port) = self.port.unchecked(&self.sample) else { return false };
-        let (mut plant, mut sample) = (self.plant, self.sample);
+    fn leap(&mut self, ticks: u64, watch: impl Watch<T>) -> bool {
+        let Some(mut leap) = self.begin(watch) else { return false };
         for _ in 0..ticks {
-            watch.place(sample.position);
-            let effort = port.respond(&sample);
-            advance_by(effort, &mut plant, &mut sample);
+            let asked = leap.ask();
+            leap.reply(asked);
         }
+        self.end(leap, ticks)
+    }
+
+    /// The same of two loops, one half a tick ahead of the other: each moves while the other waits for a quotient.
+    #[inline(always)]
+    fn leap_both<W: Watch<T>>(both: [(&mut Self, W); 2], ticks: u64) -> [bool; 2] {
+        let [(first_loop, first_watch), (second_loop, second_watch)] = both;
+        let leaps = (first_loop.begin(first_watch), second_loop.begin(second_watch));
+        let (Some(mut first), Some(mut second)) = leaps else { return [false; 2] };
+        let mut ahead = first.ask();
+        for _ in 1..ticks {
+            let behind = second.ask();
+            first.reply(ahead);
+            ahead = first.ask();
+            second.reply(behind);
+        }
+        let behind = second.ask();
+        first.reply(ahead);
+        second.reply(behind);
+        [first_loop.end(first, ticks), second_loop.end(second, ticks)]
+    }
+
+    #[inline(always)]
+    fn begin<W>(&self, watch: W) -> Option<Leap<T, S::Candidate, W>> {
+        if !T::IN_REGISTERS || self.tries == 0 {
+            return None;
+        }
+        let port = self.port.unchecked(&self.sample)?;
+        Some(Leap { plant: self.plant, port, sample: self.sample, watch })
+    }
+
+    #[inline(always)]
+    fn end<W: Watch<T>>(&mut self, leap: Leap<T, S::Candidate, W>, ticks: u64) -> bool {
+        let Leap { plant, port, sample, watch } = leap;
         if !port.was_sure(watch.reach(), sample.position) {
             self.tries -= 1;
             return false;
@@ -87,6 +117,67 @@ impl<T: Batch, S: Accounted<T>> Loop<T, S> {
         self.port.follow(&port);
         (self.plant, self.sample) = (plant, sample);
         true
+    }
+}
+
+/// A loop during ticks [without checks](super::sure).
+struct Leap<T: Batch, C, W> {
+    plant: Body<T>,
+    port: SurePort<T, C>,
+    sample: PortSample<T>,
+    watch: W,
+}
+
+impl<T: Batch, C: Crediting<T>, W: Watch<T>> Leap<T, C, W> {
+    #[inline(always)]
+    fn ask(&mut self) -> Asked<T> {
+        self.watch.place(self.sample.position);
+        self.port.ask(&self.sample)
+    }
+
+    #[inline(always)]
+    fn reply(&mut self, asked: Asked<T>) {
+        advance_by(self.port.reply(asked), &mut self.plant, &mut self.sample);
+    }
+}
+
+/// A loop with what watches it.
+pub(super) trait Watched<T: Batch, S> {
+    /// The view of some ticks.
+    type Watch<'a>: Watch<T>
+    where
+        Self: 'a;
+
+    /// The loop, and a view of the ticks that it runs next.
+    fn apart(&mut self) -> (&mut Loop<T, S>, Self::Watch<'_>);
+}
+
+/// Runs some ticks of loops side by side.
+#[inline(always)]
+pub(super) fn run<T: Batch, S: Accounted<T>, G: Watched<T, S>>(groups: &mut [G], ticks: u64) {
+    if T::IN_REGISTERS {
+        let have_run = match groups {
+            [group] => {
+                let (looped, watch) = group.apart();
+                [looped.leap(ticks, watch), false]
+            }
+            [first, second] => Loop::leap_both([first.apart(), second.apart()], ticks),
+            _ => [false; 2],
+        };
+        for (group, has_run) in groups.iter_mut().zip(have_run) {
+            let (looped, watch) = group.apart();
+            if !has_run {
+                looped.run(ticks, watch);
+            }
+        }
+    } else {
+        for _ in 0..ticks {
+            for group in groups.iter_mut() {
+                let (looped, mut watch) = group.apart();
+                looped.tick(&mut watch);
+                watch.end(1);
+            }
+        }
     }
 }
 
@@ -113,24 +204,19 @@ struct Group<T: Batch, S, M> {
     count: usize,
 }
 
+impl<T: Batch, S: Accounted<T>, M: Meter<T>> Watched<T, S> for Group<T, S, M> {
+    type Watch<'a>
+        = M::Watch<'a>
+    where
+        Self: 'a;
+
+    #[inline(always)]
+    fn apart(&mut self) -> (&mut Loop<T, S>, M::Watch<'_>) {
+        (&mut self.looped, self.meter.watch())
+    }
+}
+
 impl<T: Batch, S: Laned<T>, M: Meter<T>> Group<T, S, M> {
-    /// Runs some ticks in registers.
-    #[inline(always)]
-    fn run(&mut self, ticks: u64) {
-        let Self { looped, meter, .. } = self;
-        if !looped.leap(ticks, meter.watch()) {
-            looped.run(ticks, meter.watch());
-        }
-    }
-
-    /// Runs one tick in memory.
-    #[inline(always)]
-    fn tick(&mut self) {
-        let mut watch = self.meter.watch();
-        self.looped.tick(&mut watch);
-        watch.end(1);
-    }
-
     /// Puts lanes that left the range to rest: a stabilizer that rejects their samples takes twice as long for all lanes.
     #[inline(never)]
     fn rest(&mut self, lanes: T::Mask) {
@@ -153,16 +239,18 @@ impl<'a, T: Batch, S: Laned<T>, M: Meter<T>> Rollouts<'a, T, S, M> {
         Self { seats, readings, bodies, go_on, ports }
     }
 
+    /// Adds the group of the next cells, unless there are none.
     #[inline(never)]
-    fn next(&mut self) -> Result<Option<Group<T, S, M>>, ParameterError> {
-        let Some((first, lanes)) = self.seats.next(T::LANES) else { return Ok(None) };
+    fn seat(&mut self, groups: &mut Vec<Group<T, S, M>>) -> Result<(), ParameterError> {
+        let Some((first, lanes)) = self.seats.next(T::LANES) else { return Ok(()) };
         let (count, left) = (lanes.0.len(), lanes.common().ticks() + 1);
         let (meter, plant) = (M::new(lanes)?, lanes.body(&mut self.bodies)?);
         let (mut looped, sound) = (Loop::new(plant, lanes.port()?), Mask::of(true));
         if !meter.needs_positions_only() {
             looped.tries = 0;
         }
-        Ok(Some(Group { looped, meter, left, sound, first, count }))
+        groups.push(Group { looped, meter, left, sound, first, count });
+        Ok(())
     }
 
     #[inline(never)]
@@ -202,11 +290,8 @@ impl<T: Batch, S: Laned<T>, M: Meter<T>> NullaryFnOnce for Rollouts<'_, T, S, M>
     fn call(mut self) -> Self::Output {
         let mut groups = Vec::with_capacity(T::BESIDE);
         loop {
-            while groups.len() < T::BESIDE {
-                match self.next()? {
-                    Some(group) => groups.push(group),
-                    None => break,
-                }
+            for _ in groups.len()..T::BESIDE {
+                self.seat(&mut groups)?;
             }
             if groups.is_empty() {
                 return Ok(Some(self.readings));
@@ -233,17 +318,7 @@ fn advance<T: Batch, S: Laned<T>, M: Meter<T>>(groups: &mut [Group<T, S, M>]) {
     // The last tick comes by itself: the motion before it tells whether it is sound.
     let room = |group: &mut Group<T, S, M>| group.meter.room().min((group.left - 1).max(1));
     let ticks = groups.iter_mut().map(room).min().unwrap_or_default().min(STRETCH);
-    if T::IN_REGISTERS {
-        for group in groups.iter_mut() {
-            group.run(ticks);
-        }
-    } else {
-        for _ in 0..ticks {
-            for group in groups.iter_mut() {
-                group.tick();
-            }
-        }
-    }
+    run(groups, ticks);
     for group in groups {
         group.left -= ticks;
     }

@@ -2,7 +2,7 @@
 
 use super::field::Copier;
 use super::parts::LaneScenes;
-use crate::files::scene::{Draft, Scene};
+use crate::files::scene::{Draft, Positive, Scene};
 
 /// Cells that wait for a lane, and their scenes.
 #[derive(Debug)]
@@ -60,7 +60,7 @@ impl<'a> Seats<'a> {
     }
 }
 
-/// Rate, ratio and ticks, which are the same for all lanes of a group.
-fn trajectory(scene: &Draft) -> (f64, u64, u64) {
-    (scene.servo_rate.get(), scene.environment_ratio(), scene.ticks())
+/// Rates and duration, which are the same for all lanes of a group.
+fn trajectory(scene: &Draft) -> (Positive, Option<Positive>, Positive) {
+    (scene.servo_rate, scene.environment_rate, scene.duration)
 }

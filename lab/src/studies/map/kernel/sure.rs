@@ -45,10 +45,18 @@ pub(super) struct SurePort<T, C> {
     pub(super) least: T,
 }
 
+/// What a tick waits for before its force is known.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Asked<T> {
+    velocity: T,
+    /// The inverse of what the damping divides the debt by, below 0.
+    inverse: T,
+}
+
 impl<T: Fuse, C: Crediting<T>> SurePort<T, C> {
-    /// The corrected force, N.
+    /// Takes a sample, up to the division.
     #[inline(always)]
-    pub(super) fn respond(&mut self, sample: &PortSample<T>) -> T {
+    pub(super) fn ask(&mut self, sample: &PortSample<T>) -> Asked<T> {
         let moved = sample.displacement;
         let velocity = self.period.divide_near(moved);
         if self.left == 0 {
@@ -60,11 +68,17 @@ impl<T: Fuse, C: Crediting<T>> SurePort<T, C> {
         let zero = T::zero();
         let size = moved.magnitude();
         self.least = T::choose(size.above(zero), self.least.smaller(size), self.least);
-        let Account { energy, most, candidate } = &mut self.account;
+        let Account { energy, candidate, .. } = &mut self.account;
         *energy += candidate.sure_decrease(sample, square, self.surface);
-        // Without motion this is infinite or NaN, and alpha is any number from 0 to the most, of which nothing comes.
-        let inverse = T::of(-1.0) / (square * margin());
-        let alpha = (*energy * inverse).smaller(*most).larger(zero);
+        Asked { velocity, inverse: T::of(-1.0) / (square * margin()) }
+    }
+
+    /// The corrected force, N.
+    #[inline(always)]
+    pub(super) fn reply(&self, asked: Asked<T>) -> T {
+        let Asked { velocity, inverse } = asked;
+        // Without motion the product is infinite or NaN, and alpha is any number from 0 to the most, of which nothing comes.
+        let alpha = (self.account.energy * inverse).smaller(self.account.most).larger(T::zero());
         self.answer + velocity * alpha
     }
 
@@ -138,7 +152,8 @@ mod tests {
         let (mut is_same, mut energy) = (true, T::zero());
         for _ in 0..64 {
             reach = reach.larger(seen.position.magnitude());
-            seen = other.advance(sure.respond(&seen));
+            let asked = sure.ask(&seen);
+            seen = other.advance(sure.reply(asked));
             let correction = port.respond(&sample);
             sample = plant.advance(correction.effort);
             energy = correction.observed_energy;

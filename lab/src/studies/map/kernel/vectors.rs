@@ -70,7 +70,7 @@ macro_rules! logic {
 
 macro_rules! vectors {
     ($lanes:ident of $real:ident in $vector:ident, $mask:ident in $bits:ident,
-        $splat:ident $add:ident $sub:ident $mul:ident $div:ident $neg:ident $abs:ident $sqrt:ident
+        $splat:ident $add:ident $sub:ident $mul:ident $div:ident $keep:ident $flip:ident $sqrt:ident
         $smaller:ident $larger:ident $fused:ident, $less:ident $select:ident $first:ident
         $and:ident $or:ident $xor:ident) => {
         /// Lanes in `N` vectors of the instructions `S`.
@@ -131,12 +131,13 @@ macro_rules! vectors {
         operators!($lanes: Add add by $add, Sub sub by $sub, Mul mul by $mul, Div div by $div;
             AddAssign add_assign by add, SubAssign sub_assign by sub, MulAssign mul_assign by mul);
 
+        // By their bits: pulp's own sign and magnitude are not always inlined.
         impl<S: Proven, const N: usize> Neg for $lanes<S, N> {
             type Output = Self;
 
             #[inline(always)]
             fn neg(self) -> Self {
-                self.with(self, |proof, one, _| proof.$neg(one))
+                self.with(Self::all(-0.0), |proof, one, sign| proof.$flip(one, sign))
             }
         }
 
@@ -254,7 +255,8 @@ macro_rules! vectors {
 
             #[inline(always)]
             fn magnitude(self) -> Self {
-                self.with(self, |proof, one, _| proof.$abs(one))
+                let unsigned = $real::from_bits(!$real::to_bits(-0.0));
+                self.with(Self::all(unsigned), |proof, one, bits| proof.$keep(one, bits))
             }
         }
 
@@ -272,9 +274,8 @@ macro_rules! vectors {
             }
         }
 
-        // Their vectors wait for one another, of which there are several.
         impl<S: Proven, const N: usize> Batch for $lanes<S, N> {
-            const BESIDE: usize = 1;
+            const BESIDE: usize = 2;
             const IN_REGISTERS: bool = true;
 
             fn run<J: NullaryFnOnce>(job: J) -> J::Output {
@@ -330,13 +331,13 @@ macro_rules! vectors {
 
 vectors! {
     F64s of f64 in f64s, F64Mask in m64s,
-    splat_f64s add_f64s sub_f64s mul_f64s div_f64s neg_f64s abs_f64s sqrt_f64s smaller_f64s larger_f64s mul_add_f64s,
+    splat_f64s add_f64s sub_f64s mul_f64s div_f64s and_f64s xor_f64s sqrt_f64s smaller_f64s larger_f64s mul_add_f64s,
     less_than_f64s select_f64s first_true_m64s and_m64s or_m64s xor_m64s
 }
 
 #[cfg(target_arch = "x86_64")]
 vectors! {
     F32s of f32 in f32s, F32Mask in m32s,
-    splat_f32s add_f32s sub_f32s mul_f32s div_f32s neg_f32s abs_f32s sqrt_f32s smaller_f32s larger_f32s mul_add_f32s,
+    splat_f32s add_f32s sub_f32s mul_f32s div_f32s and_f32s xor_f32s sqrt_f32s smaller_f32s larger_f32s mul_add_f32s,
     less_than_f32s select_f32s first_true_m32s and_m32s or_m32s xor_m32s
 }
