@@ -14,7 +14,7 @@ use super::meter::Watch;
 use super::numbers::Numbers;
 use super::parts::{Accounted, Bodies};
 use super::port::StabilizedWall;
-use super::rollout::{Loop, STRETCH, Watched, run};
+use super::rollout::{Loop, STRETCH, WatchedLoop, run};
 use super::sure::PERIODS;
 #[cfg(target_arch = "x86_64")]
 use super::{F64s, Proven, V3, V4, VECTORS};
@@ -262,7 +262,7 @@ impl<T: Batch, S: Accounted<T>> Group<T, S> {
     }
 }
 
-impl<T: Batch, S: Accounted<T>> Watched<T, S> for Group<T, S> {
+impl<T: Batch, S: Accounted<T>> WatchedLoop<T, S> for Group<T, S> {
     type Watch<'a>
         = Seeing<'a, T>
     where

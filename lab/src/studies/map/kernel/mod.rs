@@ -209,7 +209,8 @@ impl Kernel {
     }
 }
 
-/// Vectors of a group: one computes while another waits for a quotient, and those of two groups fit into the registers.
+/// Vectors of a group: one computes while another waits for a quotient, as do the two groups that run side by side. With more, every
+/// run waits for more others.
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
 const VECTORS: usize = 2;
 

@@ -142,7 +142,7 @@ impl<T: Batch, C: Crediting<T>, W: Watch<T>> Leap<T, C, W> {
 }
 
 /// A loop with what watches it.
-pub(super) trait Watched<T: Batch, S> {
+pub(super) trait WatchedLoop<T: Batch, S> {
     /// The view of some ticks.
     type Watch<'a>: Watch<T>
     where
@@ -154,7 +154,7 @@ pub(super) trait Watched<T: Batch, S> {
 
 /// Runs some ticks of loops side by side.
 #[inline(always)]
-pub(super) fn run<T: Batch, S: Accounted<T>, G: Watched<T, S>>(groups: &mut [G], ticks: u64) {
+pub(super) fn run<T: Batch, S: Accounted<T>, G: WatchedLoop<T, S>>(groups: &mut [G], ticks: u64) {
     if T::IN_REGISTERS {
         let have_run = match groups {
             [group] => {
@@ -165,8 +165,8 @@ pub(super) fn run<T: Batch, S: Accounted<T>, G: Watched<T, S>>(groups: &mut [G],
             _ => [false; 2],
         };
         for (group, has_run) in groups.iter_mut().zip(have_run) {
-            let (looped, watch) = group.apart();
             if !has_run {
+                let (looped, watch) = group.apart();
                 looped.run(ticks, watch);
             }
         }
@@ -204,7 +204,7 @@ struct Group<T: Batch, S, M> {
     count: usize,
 }
 
-impl<T: Batch, S: Accounted<T>, M: Meter<T>> Watched<T, S> for Group<T, S, M> {
+impl<T: Batch, S: Accounted<T>, M: Meter<T>> WatchedLoop<T, S> for Group<T, S, M> {
     type Watch<'a>
         = M::Watch<'a>
     where
