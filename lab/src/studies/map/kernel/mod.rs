@@ -210,9 +210,9 @@ impl Kernel {
 }
 
 /// Vectors of a group: one computes while another waits for a quotient, as do the two groups that run side by side. With more, every
-/// run waits for more others.
+/// run waits for more others. Short ones are in one group, which takes less code.
 #[cfg(any(target_arch = "x86_64", target_feature = "simd128"))]
-const VECTORS: usize = 2;
+const VECTORS: usize = if cfg!(target_feature = "simd128") { 4 } else { 2 };
 
 /// Lanes of `f64` that every processor of the target has.
 #[cfg(not(target_feature = "simd128"))]

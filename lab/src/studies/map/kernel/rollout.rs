@@ -161,7 +161,9 @@ pub(super) fn run<T: Batch, S: Accounted<T>, G: WatchedLoop<T, S>>(groups: &mut 
                 let (looped, watch) = group.apart();
                 [looped.leap(ticks, watch), false]
             }
-            [first, second] => Loop::leap_both([first.apart(), second.apart()], ticks),
+            [first, second] if T::BESIDE == 2 => {
+                Loop::leap_both([first.apart(), second.apart()], ticks)
+            }
             _ => [false; 2],
         };
         for (group, has_run) in groups.iter_mut().zip(have_run) {

@@ -275,7 +275,7 @@ macro_rules! vectors {
         }
 
         impl<S: Proven, const N: usize> Batch for $lanes<S, N> {
-            const BESIDE: usize = 2;
+            const BESIDE: usize = if N == 2 { 2 } else { 1 };
             const IN_REGISTERS: bool = true;
 
             fn run<J: NullaryFnOnce>(job: J) -> J::Output {
