@@ -45,7 +45,7 @@ pub(super) struct SurePort<T, C> {
     pub(super) least: T,
 }
 
-/// What a tick waits for before its force is known.
+/// Numbers of a tick whose force waits for a quotient.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Asked<T> {
     velocity: T,
