@@ -78,12 +78,13 @@ impl<T: Batch, S: Accounted<T>> Loop<T, S> {
         self.end(leap, ticks)
     }
 
-    /// The same of two loops, one half a tick ahead of the other: each moves while the other waits for a quotient.
+    /// The same of two loops, one half a tick ahead of the other: each moves while the other waits for a quotient. None where one of
+    /// them has no such ticks.
     #[inline(always)]
-    fn leap_both<W: Watch<T>>(both: [(&mut Self, W); 2], ticks: u64) -> [bool; 2] {
+    fn leap_both<W: Watch<T>>(both: [(&mut Self, W); 2], ticks: u64) -> Option<[bool; 2]> {
         let [(first_loop, first_watch), (second_loop, second_watch)] = both;
         let leaps = (first_loop.begin(first_watch), second_loop.begin(second_watch));
-        let (Some(mut first), Some(mut second)) = leaps else { return [false; 2] };
+        let (mut first, mut second) = (leaps.0?, leaps.1?);
         let mut ahead = first.ask();
         for _ in 1..ticks {
             let behind = second.ask();
@@ -94,7 +95,7 @@ impl<T: Batch, S: Accounted<T>> Loop<T, S> {
         let behind = second.ask();
         first.reply(ahead);
         second.reply(behind);
-        [first_loop.end(first, ticks), second_loop.end(second, ticks)]
+        Some([first_loop.end(first, ticks), second_loop.end(second, ticks)])
     }
 
     #[inline(always)]
@@ -156,17 +157,20 @@ pub(super) trait WatchedLoop<T: Batch, S> {
 #[inline(always)]
 pub(super) fn run<T: Batch, S: Accounted<T>, G: WatchedLoop<T, S>>(groups: &mut [G], ticks: u64) {
     if T::IN_REGISTERS {
-        let have_run = match groups {
-            [group] => {
-                let (looped, watch) = group.apart();
-                [looped.leap(ticks, watch), false]
-            }
+        let both = match groups {
             [first, second] if T::BESIDE == 2 => {
                 Loop::leap_both([first.apart(), second.apart()], ticks)
             }
-            _ => [false; 2],
+            _ => None,
         };
-        for (group, has_run) in groups.iter_mut().zip(have_run) {
+        for (place, group) in groups.iter_mut().enumerate() {
+            let has_run = match both {
+                Some(both) => both[place],
+                None => {
+                    let (looped, watch) = group.apart();
+                    looped.leap(ticks, watch)
+                }
+            };
             if !has_run {
                 let (looped, watch) = group.apart();
                 looped.run(ticks, watch);
