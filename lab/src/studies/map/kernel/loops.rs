@@ -62,7 +62,8 @@ pub struct Loops<'a> {
 }
 
 impl Loops<'_> {
-    /// The ends of all loops, in `room` for as many, on all threads of the present pool; none where `go_on`, which is asked now and then, stopped them.
+    /// The ends of all loops, in `room` for as many, on all threads of the present pool; none where `go_on`, which is asked now
+    /// and then, stopped them.
     ///
     /// # Errors
     /// A number that a mass, a wall, a start or a stabilizer cannot have.

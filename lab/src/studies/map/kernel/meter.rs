@@ -34,8 +34,8 @@ pub(super) trait Meter<T: Fuse>: Sized {
     /// Whether it needs no more than positions, so that ticks may go [without checks](super::sure).
     fn needs_positions_only(&self) -> bool;
 
-    /// The lanes that left the range of the scalar or that of bounded runs, whose later ticks do not matter; none if there is
-    /// none.
+    /// The lanes that left the range of the scalar, or that of bounded runs by far, whose later ticks do not matter; none if there
+    /// is none.
     fn out_of_range(&self, position: T) -> Option<T::Mask>;
 
     /// Result of a lane; `sound`: its last row is finite.

@@ -275,6 +275,7 @@ macro_rules! vectors {
         }
 
         impl<S: Proven, const N: usize> Batch for $lanes<S, N> {
+            // More vectors in one group have enough to compute while one of them waits.
             const BESIDE: usize = if N == 2 { 2 } else { 1 };
             const IN_REGISTERS: bool = true;
 
