@@ -117,7 +117,7 @@ impl<T: Scalar> Random<T> {
 
     /// The four words of this call.
     fn words(&self, axis: u32, lane: usize) -> [u32; 4] {
-        let [a, b, c, d] = self.seeds.map(|part| part.lane(lane) as u32);
+        let [a, b, c, d] = core::array::from_fn(|part| self.seeds[part].lane(lane) as u32);
         let counter = [self.calls as u32, (self.calls >> 32) as u32, self.source as u32, axis];
         philox(counter, [a | b << 16, c | d << 16])
     }

@@ -123,7 +123,7 @@ impl Summary {
     /// Adds one more tick.
     pub fn add<V: Space>(&mut self, tick: &Tick<V>) {
         let row = Row::of(tick);
-        let [place, acting] = [tick.truth.position, tick.applied].map(V::axes);
+        let [place, acting] = [tick.truth.position.axes(), tick.applied.axes()];
         if self.last.is_some() {
             for ((force, to), from) in self.acting.into_iter().zip(place).zip(self.place) {
                 self.absorbed = sum(self.absorbed, force, to - from);

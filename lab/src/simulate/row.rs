@@ -121,5 +121,5 @@ fn along<V: Space>(tick: &Tick<V>, axis: usize) -> [f64; 7] {
         tick.command,
         tick.applied,
     ];
-    signals.map(|signal| signal.axis(axis))
+    std::array::from_fn(|index| signals[index].axis(axis))
 }

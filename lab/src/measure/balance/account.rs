@@ -267,7 +267,8 @@ impl<V: Space<Scalar = f64>> Account<V> {
         let way = now.masses.device[0] - last.masses.device[0];
         let Split { late, environment: clipped, controller } = last.split;
         let law = |motion: Motion<V>| self.law.force(motion);
-        let [filtered, counted, truly] = [before.filtered, before.counted, before.truly].map(law);
+        let [filtered, counted, truly] =
+            [law(before.filtered), law(before.counted), law(before.truly)];
         let real = |tick: &Moment<V>, time: f64| {
             let [position, velocity] = tick.masses.device;
             Motion { time, position, velocity, acceleration: V::zero() }

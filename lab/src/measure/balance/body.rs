@@ -59,7 +59,7 @@ impl<V: Space<Scalar = f64>> Masses<V> {
 
     /// The masses along an axis.
     fn along(self, axis: usize) -> Masses<f64> {
-        let of = |state: [V; 2]| state.map(|signal| signal.axis(axis));
+        let of = |[position, velocity]: [V; 2]| [position.axis(axis), velocity.axis(axis)];
         Masses { operator: of(self.operator), device: of(self.device) }
     }
 }
@@ -86,7 +86,7 @@ impl Add for Passed {
         Self {
             hand: self.hand + other.hand,
             push: self.push + other.push,
-            burnt: [0, 1, 2].map(|index| self.burnt[index] + other.burnt[index]),
+            burnt: std::array::from_fn(|index| self.burnt[index] + other.burnt[index]),
             gained: self.gained + other.gained,
             stored: self.stored + other.stored,
         }

@@ -47,7 +47,7 @@ struct Last {
 
 impl Miscount {
     pub(super) fn add<V: Space>(&mut self, tick: &Tick<V>) {
-        let places = [&tick.truth, &tick.measured].map(|it| it.position.axes());
+        let places = [tick.truth.position.axes(), tick.measured.position.axes()];
         self.move_on(Last { force: tick.applied.axes(), places });
         self.ticks += 1;
         self.owed = tick.correction.shortfall.lane(0);

@@ -62,7 +62,7 @@ impl RunSigns {
         self.applied = self.applied.max(largest(tick.applied.axes()));
         (self.low, self.high) = (self.low.min(position), self.high.max(position));
         if Mask::all(tick.correction.accepted) {
-            let forces = [tick.environment, tick.command].map(Space::axes);
+            let forces = [tick.environment.axes(), tick.command.axes()];
             let PortSample { velocity, period, .. } = tick.measured;
             let alpha = tick.correction.alpha.lane(0);
             self.damp(alpha, velocity.axes(), period.lane(0), forces);
@@ -78,12 +78,12 @@ impl RunSigns {
         }
         self.damped += 1;
         let is_clipped = (0..3).all(|axis| {
-            let [own, left] = forces.map(|force| force[axis]);
+            let [own, left] = [forces[0][axis], forces[1][axis]];
             let is_at_limit = own.abs() >= self.limit && left.abs() >= self.limit;
             velocity[axis] == 0.0 || is_at_limit && own.signum() == left.signum()
         });
         self.clipped += u64::from(is_clipped);
-        self.asked += velocity.map(|it| alpha * it * it * period).iter().sum::<f64>();
+        self.asked += velocity.iter().map(|it| alpha * it * it * period).sum::<f64>();
     }
 
     /// Whether any force acted on the plant.

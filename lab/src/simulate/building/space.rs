@@ -34,14 +34,16 @@ pub trait Space: Signal<Scalar: Send> + Send {
     fn axis(self, index: usize) -> f64;
 
     /// The values along all axes, in the first lane, and 0 in place of axes that it does not have.
+    #[inline]
     fn axes(self) -> [f64; 3] {
-        [0, 1, 2].map(|index| if index < Self::DIMENSIONS { self.axis(index) } else { 0.0 })
+        std::array::from_fn(|index| if index < Self::DIMENSIONS { self.axis(index) } else { 0.0 })
     }
 
     /// The signal in `f64`, in the first lane.
     fn double(self) -> Self::Double;
 
     /// The length, in the first lane: on a line the magnitude.
+    #[inline]
     fn length(self) -> f64 {
         (0..Self::DIMENSIONS).map(|index| self.axis(index)).fold(0.0, f64::hypot)
     }

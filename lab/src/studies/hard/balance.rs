@@ -46,6 +46,7 @@ impl Balance {
 
     /// Books the works and credits of a tick if they are finite, as a ledger does. A credit that is the difference of a
     /// stored energy is rounded like that energy; `held` is that energy, J.
+    #[inline]
     pub(super) fn book(&mut self, terms: &[Double], held: f64) {
         let sum = terms.iter().fold(Double::default(), |sum, term| sum.plus(*term));
         if sum.value().is_finite() {

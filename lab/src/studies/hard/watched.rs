@@ -201,7 +201,7 @@ impl Meter {
                 damping * (sight.displacement.inner(&sight.displacement) / period)
             }
             Credit::Reference(reference) => {
-                let [x, v] = [&sight.position, &sight.velocity].map(|axes| axes.values[0]);
+                let [x, v] = [sight.position.values[0], sight.velocity.values[0]];
                 let now = (self.stored)(reference, x, v);
                 // Nothing is known of what was stored before the first tick: that one is where it is counted from.
                 let change = self.held.unwrap_or(now) - now;
@@ -258,8 +258,8 @@ impl Meter {
         let (tick, epsilon) = (self.tick, self.epsilon);
         let (least, smallest) = (self.least_damping(sight.alpha), self.smallest());
         for axis in 0..sight.velocity.count {
-            let [out, given, v] =
-                [&sight.out, &sight.effort, &sight.velocity].map(|a| a.values[axis]);
+            let (out, given) = (sight.out.values[axis], sight.effort.values[axis]);
+            let v = sight.velocity.values[axis];
             let rounding = 8.0 * epsilon * out.abs() + 8.0 * epsilon * given.abs();
             let mut require = |law, kept| self.tally.require(law, kept, tick);
             match self.terms.pledge.manner {

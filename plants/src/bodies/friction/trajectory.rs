@@ -207,7 +207,8 @@ fn falls<T: Scalar>(polynomial: &Polynomial<T>, sign: T, start: T, of: T::Mask) 
         if !of.lane(lane) || stays.lane(lane) {
             return NEVER;
         }
-        let mut alone = polynomial.map(|coefficient| sign.lane(lane) * coefficient.lane(lane));
+        let mut alone: Polynomial<f64> =
+            core::array::from_fn(|at| sign.lane(lane) * polynomial[at].lane(lane));
         alone[0] = start.lane(lane);
         first_fall(&alone).unwrap_or(NEVER)
     })
