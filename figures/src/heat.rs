@@ -154,8 +154,10 @@ fn shade(value: f64, span: Span) -> [u8; 3] {
     let place = share * (RAMP.len() - 1) as f64;
     let step = (place as usize).min(RAMP.len() - 2);
     let share = place - step as f64;
-    std::array::from_fn(|part| {
-        let [from, to] = [RAMP[step][part], RAMP[step + 1][part]].map(f64::from);
-        (from + share * (to - from)).round() as u8
-    })
+    let mut shade = RAMP[step];
+    for (part, colour) in shade.iter_mut().enumerate() {
+        let [from, to] = [f64::from(*colour), f64::from(RAMP[step + 1][part])];
+        *colour = (from + share * (to - from)).round() as u8;
+    }
+    shade
 }

@@ -88,7 +88,7 @@ impl<T: Scalar, const N: usize> Signal for SVector<T, N> {
 
     #[inline(always)]
     fn splat(value: T) -> Self {
-        SVector::from_element(value)
+        SVector::from([value; N])
     }
 
     #[inline(always)]

@@ -67,7 +67,9 @@ fn pressed(pixels: &Pixmap) -> Vec<u8> {
         let (differences, _) = line[1..].as_chunks_mut::<3>();
         for ((difference, pixel), above) in differences.iter_mut().zip(row).zip(&mut above) {
             let colour = [pixel.red(), pixel.green(), pixel.blue()];
-            *difference = std::array::from_fn(|at| colour[at].wrapping_sub(above[at]));
+            for part in 0..3 {
+                difference[part] = colour[part].wrapping_sub(above[part]);
+            }
             *above = colour;
         }
     }

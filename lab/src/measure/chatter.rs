@@ -99,7 +99,8 @@ impl<V: Signal> Line<V> {
     #[inline(always)]
     fn add(&mut self, pairs: &[Complex<V>; PAIRS]) {
         let mut block = (V::zero(), V::zero());
-        for ((sum, difference), (cos, sin)) in pairs.iter().zip(self.pairs) {
+        for (pair, (sum, difference)) in pairs.iter().enumerate() {
+            let (cos, sin) = self.pairs[pair];
             block.0 = block.0 + sum.scale(V::Scalar::of(cos));
             block.1 = block.1 - difference.scale(V::Scalar::of(sin));
         }

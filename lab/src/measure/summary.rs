@@ -125,8 +125,8 @@ impl Summary {
         let row = Row::of(tick);
         let [place, acting] = [tick.truth.position.axes(), tick.applied.axes()];
         if self.last.is_some() {
-            for ((force, to), from) in self.acting.into_iter().zip(place).zip(self.place) {
-                self.absorbed = sum(self.absorbed, force, to - from);
+            for (axis, to) in place.iter().enumerate() {
+                self.absorbed = sum(self.absorbed, self.acting[axis], to - self.place[axis]);
             }
         }
         self.fate.add_tick(tick);
@@ -150,9 +150,9 @@ impl Summary {
         self.acting_peak = self.acting_peak.max(tick.applied.length());
         self.observed_energy_least = self.observed_energy_least.min(row.observed_energy);
         self.observed_energy_most = self.observed_energy_most.max(row.observed_energy);
-        let velocity = tick.measured.velocity.axes();
-        for (force, speed) in tick.control().axes().into_iter().zip(velocity) {
-            self.asked = sum(self.asked, force, speed * self.scene.period());
+        let [force, velocity] = [tick.control().axes(), tick.measured.velocity.axes()];
+        for axis in 0..3 {
+            self.asked = sum(self.asked, force[axis], velocity[axis] * self.scene.period());
         }
         self.shortfall = self.shortfall.max(row.shortfall);
         self.active += u64::from(row.alpha > 0.0);

@@ -85,6 +85,7 @@ impl Criterion {
 
     /// The coordinate that a motion is judged along, m: on a line the position, in a space the distance from the nearest
     /// equilibrium, or from the hand's rest where there is none.
+    #[inline]
     pub(crate) fn coordinate<V: Space>(&self, position: V) -> f64 {
         let distances = self.middles.iter().map(|it| it.distance(|axis| position.axis(axis)));
         distances.reduce(f64::min).unwrap_or_else(|| position.axis(0))
@@ -103,11 +104,13 @@ impl Criterion {
 
     /// The coordinate where the plant comes to rest and half the width of the band about it that counts as settled, m; a
     /// band below 0 where there is no such place.
+    #[inline]
     pub(crate) fn rest(&self) -> (f64, f64) {
         (self.equilibria.first().map_or(0.0, |rest| self.along(rest)), self.band)
     }
 
     /// The coordinate of the equilibrium.
+    #[inline]
     fn along(&self, rest: &Place) -> f64 {
         if self.middles.is_empty() { rest.axes()[0] } else { 0.0 }
     }

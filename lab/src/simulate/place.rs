@@ -32,11 +32,13 @@ impl Place {
     }
 
     /// The coordinates.
+    #[inline]
     pub(crate) fn axes(&self) -> &[f64] {
         &self.axes[..self.dimensions]
     }
 
     /// The distance from here to the point with the coordinate `of` each axis, m.
+    #[inline]
     pub(crate) fn distance(&self, of: impl Fn(usize) -> f64) -> f64 {
         let apart = self.axes().iter().enumerate().map(|(index, own)| of(index) - own);
         apart.fold(0.0, f64::hypot)

@@ -37,6 +37,7 @@ pub struct Row {
 
 impl Row {
     /// The row of `tick` along the first axis, in the first lane.
+    #[inline]
     pub fn of<V: Space>(tick: &Tick<V>) -> Self {
         let [x, x_measured, v, f_env, f_ctl, f_out, f_act] = along(tick, 0);
         Self {
@@ -56,6 +57,7 @@ impl Row {
     }
 
     /// The numbers of the row in the order of the columns, without the last.
+    #[inline]
     pub(crate) fn numbers(&self) -> [f64; 11] {
         [
             self.t,
@@ -111,15 +113,15 @@ pub(crate) fn further_numbers<V: Space>(tick: &Tick<V>) -> impl Iterator<Item = 
     axes.chain(operator)
 }
 
+#[inline]
 fn along<V: Space>(tick: &Tick<V>, axis: usize) -> [f64; 7] {
-    let signals = [
-        tick.truth.position,
-        tick.measured.position,
-        tick.measured.velocity,
-        tick.environment,
-        tick.added(),
-        tick.command,
-        tick.applied,
-    ];
-    std::array::from_fn(|index| signals[index].axis(axis))
+    [
+        tick.truth.position.axis(axis),
+        tick.measured.position.axis(axis),
+        tick.measured.velocity.axis(axis),
+        tick.environment.axis(axis),
+        tick.added().axis(axis),
+        tick.command.axis(axis),
+        tick.applied.axis(axis),
+    ]
 }

@@ -43,12 +43,14 @@ impl<V: Signal> Tick<V> {
     }
 
     /// The effort that the stabilizer adds to the environment's, N: `α v` to the bit where that is all it adds.
+    #[inline]
     pub(crate) fn added(&self) -> V {
         let (damper, effort) = (self.control(), self.correction.effort);
         if self.environment + damper == effort { damper } else { effort - self.environment }
     }
 
     /// Whether the sample was accepted and every value of the tick is finite, in the first lane.
+    #[inline]
     pub(crate) fn in_range(&self) -> bool {
         Mask::all(self.correction.accepted) && self.finite().lane(0)
     }

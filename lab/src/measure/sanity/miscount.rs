@@ -60,12 +60,12 @@ impl Miscount {
     }
 
     /// Books the work of the last force on the way from there to here.
+    #[inline]
     fn move_on(&mut self, now: Last) {
         if let Some(Last { force, places }) = self.last.replace(now) {
-            let ways = places.iter().zip(&now.places);
-            for (work, (from, to)) in self.work.iter_mut().zip(ways) {
-                let parts = force.iter().zip(from.iter().zip(to));
-                *work += parts.map(|(force, (from, to))| force * (to - from)).sum::<f64>();
+            for (motion, work) in self.work.iter_mut().enumerate() {
+                let [from, to] = [places[motion], now.places[motion]];
+                *work += (0..3).map(|axis| force[axis] * (to[axis] - from[axis])).sum::<f64>();
             }
         }
         self.most = self.most.max(self.work[0]);

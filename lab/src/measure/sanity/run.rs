@@ -72,6 +72,7 @@ impl RunSigns {
     }
 
     /// Counts a damping of a motion, with the forces of the environment and after the saturation.
+    #[inline]
     fn damp(&mut self, alpha: f64, velocity: [f64; 3], period: f64, forces: [[f64; 3]; 2]) {
         if alpha == 0.0 || largest(velocity) == 0.0 {
             return;
@@ -167,6 +168,7 @@ impl RunSigns {
     }
 }
 
+#[inline]
 fn largest(axes: [f64; 3]) -> f64 {
     axes.iter().fold(0.0, |size, axis| size.max(axis.abs()))
 }

@@ -36,7 +36,11 @@ pub trait Space: Signal<Scalar: Send> + Send {
     /// The values along all axes, in the first lane, and 0 in place of axes that it does not have.
     #[inline]
     fn axes(self) -> [f64; 3] {
-        std::array::from_fn(|index| if index < Self::DIMENSIONS { self.axis(index) } else { 0.0 })
+        let mut axes = [0.0; 3];
+        for (index, axis) in axes.iter_mut().enumerate().take(Self::DIMENSIONS) {
+            *axis = self.axis(index);
+        }
+        axes
     }
 
     /// The signal in `f64`, in the first lane.
@@ -130,10 +134,12 @@ macro_rules! line {
                 scenes.each(|it| coordinates(it).get())
             }
 
+            #[inline]
             fn axis(self, index: usize) -> f64 {
                 if index == 0 { self.lane(0) } else { f64::NAN }
             }
 
+            #[inline]
             fn double(self) -> f64 {
                 self.lane(0)
             }
@@ -188,10 +194,12 @@ macro_rules! space {
                 coordinates(scenes.common()).vector()
             }
 
+            #[inline]
             fn axis(self, index: usize) -> f64 {
                 self.get(index).map_or(f64::NAN, |axis| axis.lane(0))
             }
 
+            #[inline]
             fn double(self) -> Self::Double {
                 SVector::from_fn(|index, _| self[index].lane(0))
             }

@@ -7,7 +7,7 @@ use super::tally::larger;
 /// The most axes that a port may have here.
 pub(super) const AXES: usize = 4;
 
-/// The axes of a signal in one lane.
+/// The axes of a signal in one lane, and 0 in place of axes that it does not have.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Axes {
     pub(super) values: [f64; AXES],
@@ -34,7 +34,7 @@ impl Axes {
     }
 
     pub(super) fn inner(&self, other: &Self) -> f64 {
-        self.all().iter().zip(other.all()).map(|(a, b)| a * b).sum()
+        (0..AXES).map(|axis| self.values[axis] * other.values[axis]).sum()
     }
 
     /// The component in the direction of `other`; 0 where that has none.
@@ -45,12 +45,14 @@ impl Axes {
         if length == 0.0 {
             return 0.0;
         }
-        self.all().iter().zip(other.all()).map(|(a, b)| a * (b / length)).sum()
+        (0..AXES).map(|axis| self.values[axis] * (other.values[axis] / length)).sum()
     }
 
     pub(super) fn minus(&self, other: &Self) -> Self {
         let mut values = self.values;
-        values.iter_mut().zip(other.values).for_each(|(axis, less)| *axis -= less);
+        for (axis, value) in values.iter_mut().enumerate() {
+            *value -= other.values[axis];
+        }
         Self { values, ..*self }
     }
 

@@ -113,7 +113,7 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
     fn system<R: Scalar>(&self, effort: T, number: impl Fn(T) -> R + Copy) -> System<R, S> {
         let rate = B::rate(&self.parts, number);
         System {
-            rate: core::array::from_fn(|row| core::array::from_fn(|column| rate[(row, column)])),
+            rate: rate.transpose().data.0,
             mass: number(B::device_mass(&self.parts)),
             effort: number(effort),
             law: self.law.map(number),
@@ -124,8 +124,12 @@ impl<T: Scalar, B: Linear<T, S>, const S: usize> Friction<B, T, S> {
     #[inline(always)]
     fn deflected<R: Scalar>(&self, number: impl Fn(T) -> R) -> [R; S] {
         let (state, rest) = (self.body.state(), number(self.body.rest()));
-        let at = |at: usize| number(state[at]);
-        core::array::from_fn(|index| if index % 2 == 0 { at(index) - rest } else { at(index) })
+        let mut deflected = [rest; S];
+        for (index, value) in deflected.iter_mut().enumerate() {
+            let at = number(state[index]);
+            *value = if index % 2 == 0 { at - rest } else { at };
+        }
+        deflected
     }
 
     /// Moves one lane roughly, for a period with too many pieces: writes its end to `after` and returns the energy that

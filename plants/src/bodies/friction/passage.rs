@@ -30,7 +30,10 @@ impl<T: Scalar, const S: usize> Passage<T, S> {
     pub(super) fn of(system: &System<T, S>, state: [T; S], interval: T, of: T::Mask) -> Self {
         let trajectory = Trajectory::run(system, state, interval, of);
         let complete = T::choose(trajectory.complete(), T::one(), T::zero());
-        let velocity = core::array::from_fn(|index| trajectory.velocity(index));
+        let mut velocity = state;
+        for (index, velocity) in velocity.iter_mut().enumerate() {
+            *velocity = trajectory.velocity(index);
+        }
         let Trajectory { gain, heat, log, .. } = trajectory;
         Self { gain, velocity, heat, log, complete }
     }

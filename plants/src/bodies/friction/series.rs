@@ -105,8 +105,8 @@ impl<T: Scalar, const S: usize> System<T, S> {
         series.step = longest.smaller(T::of(1.75) / T::choose(sliding, loose, held));
         let mut tries = 1;
         loop {
-            for (polynomial, &value) in series.state.iter_mut().zip(state) {
-                polynomial[0] = value;
+            for (index, &value) in state.iter().enumerate() {
+                series.state[index][0] = value;
             }
             let step = series.step;
             self.coefficients(series, sense, sliding);

@@ -137,12 +137,13 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
     fn first_slip(&self, series: &Series<T, S>, sticking: T::Mask) -> (T, T) {
         let force = self.system.force_series(series);
         let one = T::one();
+        let senses = [one, -one];
         let mut first = [T::of(NEVER); 2];
-        for (first, sense) in first.iter_mut().zip([one, -one]) {
+        for way in 0..2 {
             // A force within a rounding above static friction counts as equal to it: this device was just found to
             // stick.
-            let start = -sense * force[0] + self.system.law.breakaway;
-            *first = falls(&force, -sense, start.larger(T::zero()), sticking);
+            let start = -senses[way] * force[0] + self.system.law.breakaway;
+            first[way] = falls(&force, -senses[way], start.larger(T::zero()), sticking);
         }
         let [forwards, back] = first;
         let is_back = back.below(forwards);
@@ -177,10 +178,10 @@ impl<'a, T: Scalar, const S: usize> Trajectory<'a, T, S> {
     #[inline(always)]
     fn pass(&mut self, series: &Series<T, S>, share: T, of: T::Mask) {
         let only = |new: T, kept: T| T::choose(of, new, kept);
-        for (index, (value, total)) in self.state.iter_mut().zip(&mut self.gain).enumerate() {
+        for index in 0..S {
             let gain = series.gain(index, share);
-            *value = only(*value + gain, *value);
-            *total = only(*total + gain, *total);
+            self.state[index] = only(self.state[index] + gain, self.state[index]);
+            self.gain[index] = only(self.gain[index] + gain, self.gain[index]);
         }
         let passed = share * series.step;
         self.elapsed = only(self.elapsed + passed, self.elapsed);

@@ -60,7 +60,8 @@ impl<V: Signal, S: Solid<V>> ForceLaw<V> for Contact<S, V::Scalar> {
         let NearestPoint { depth, normal } = self.solid.nearest(motion.position);
         let leaving = motion.velocity.inner(normal);
         let push = one_sided(depth, self.stiffness * depth - self.damper.damping() * leaving);
-        V::zero() - normal.scale(push)
+        let zero = V::Scalar::of(0.0);
+        normal.map(|axis| zero - axis * push)
     }
 
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
