@@ -22,8 +22,10 @@ pub(super) struct Balance {
     served: f64,
     /// The rounding unit of the ledger's scalar.
     unit: f64,
-    /// The smallest normal number of that scalar: numbers below it round by more than the unit.
-    tiny: f64,
+    /// The rounding of a tick below the smallest normal number of that scalar, where numbers round by more than the unit, J.
+    underflow: f64,
+    /// The same of all ticks. It is summed, since the processor takes a hundred times as long for a product of such numbers.
+    underflows: f64,
 }
 
 impl Balance {
@@ -31,7 +33,10 @@ impl Balance {
     /// joules.
     pub(super) fn new(unit: f64, tiny: f64, budget: f64) -> Self {
         let (supplied, absolute, largest) = (budget.into(), budget, budget);
-        Self { supplied, absolute, largest, ticks: 0.0, served: 0.0, unit, tiny }
+        // Works below the smallest normal number are rounded by up to half of the smallest positive one.
+        let underflow = 4.0 * tiny * unit;
+        let (ticks, served, underflows) = (0.0, 0.0, 0.0);
+        Self { supplied, absolute, largest, ticks, served, unit, underflow, underflows }
     }
 
     /// All work and credit so far, J.
@@ -55,6 +60,7 @@ impl Balance {
         }
         self.largest = self.largest.max(self.supplied().abs()).max(held.abs());
         self.ticks += 1.0;
+        self.underflows += self.underflow;
     }
 
     /// Allows for the margin of a correction that is to dissipate `energy` joules, of which a ledger books the exact
@@ -82,8 +88,7 @@ impl Balance {
     fn share(&self, error: f64, served: f64) -> f64 {
         let sums = self.absolute + self.ticks * self.largest;
         let rounding = 4.0 * self.unit * sums + 16.0 * self.unit * served;
-        // Works below the smallest normal number are rounded by up to half of the smallest positive one.
-        error / (rounding + 4.0 * self.ticks * self.tiny * self.unit)
+        error / (rounding + self.underflows)
     }
 }
 

@@ -103,6 +103,8 @@ struct Meter {
     now: f64,
     epsilon: f64,
     tiny: f64,
+    /// The smallest number of the scalar above 0: the step from number to number below the smallest normal one.
+    smallest: f64,
     largest: f64,
     tally: Tally,
 }
@@ -122,6 +124,7 @@ impl Meter {
             held: None,
             epsilon: T::epsilon().lane(0),
             tiny: T::smallest_normal().lane(0),
+            smallest: T::smallest_normal().lane(0) * T::epsilon().lane(0),
             largest: T::largest().lane(0),
             tally: Tally::default(),
             terms,
@@ -256,7 +259,7 @@ impl Meter {
     /// The laws of an effort that was accepted.
     fn judge_effort(&mut self, sight: &Sight) {
         let (tick, epsilon) = (self.tick, self.epsilon);
-        let (least, smallest) = (self.least_damping(sight.alpha), self.smallest());
+        let (least, smallest) = (self.least_damping(sight.alpha), self.smallest);
         for axis in 0..sight.velocity.count {
             let (out, given) = (sight.out.values[axis], sight.effort.values[axis]);
             let v = sight.velocity.values[axis];
@@ -290,12 +293,10 @@ impl Meter {
     /// The least damping that a told one of `alpha` N·s/m may stand for, as it is rounded: by a share of itself, and below
     /// the smallest normal number by as much as there.
     fn least_damping(&self, alpha: f64) -> f64 {
-        alpha * (1.0 - 16.0 * self.epsilon) - 4.0 * self.smallest()
-    }
-
-    /// The smallest number of the scalar above 0: the step from number to number below the smallest normal one.
-    fn smallest(&self) -> f64 {
-        self.tiny * self.epsilon
+        // Sums, and 0 for what asks for nothing: the processor takes a hundred times as long for products of such numbers.
+        let twice = self.smallest + self.smallest;
+        let least = alpha * (1.0 - 16.0 * self.epsilon) - twice - twice;
+        if least < 0.0 { 0.0 } else { least }
     }
 
     /// The same laws of a correction as a vector.
@@ -306,7 +307,7 @@ impl Meter {
         let rounding = 8.0 * self.epsilon * out.length() + 8.0 * self.epsilon * effort.length();
         let most = self.terms.limit * speed * (1.0 + 8.0 * self.epsilon);
         self.tally.require(Law::Opposes, along >= -rounding, self.tick);
-        let within = added.length() <= most + rounding + 2.0 * self.smallest();
+        let within = added.length() <= most + rounding + self.smallest + self.smallest;
         self.tally.require(Law::WithinLimit, within, self.tick);
         let told = self.least_damping(sight.alpha) * speed;
         self.tally.require(Law::Injects, along >= told - rounding - self.tiny / speed, self.tick);
