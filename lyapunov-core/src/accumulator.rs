@@ -21,9 +21,9 @@ pub trait Accumulator<T: Scalar>: Copy + Debug {
     /// Adds `term`.
     fn add(&mut self, term: T);
 
-    /// Adds `term`, then raises a negative sum towards zero by at most `-most >= 0`; returns the sum before it was
-    /// raised.
-    fn add_and_raise(&mut self, term: T, most: T) -> T;
+    /// Adds `term`, then raises a negative sum towards zero by at most `allowance`, which is not below 0; returns the sum
+    /// before it was raised.
+    fn add_and_raise(&mut self, term: T, allowance: T) -> T;
 
     /// Lowers a sum above `most` to `most`.
     fn lower(&mut self, most: T);
@@ -69,11 +69,11 @@ impl<T: Scalar> Accumulator<T> for Plain<T> {
     }
 
     #[inline(always)]
-    fn add_and_raise(&mut self, term: T, most: T) -> T {
+    fn add_and_raise(&mut self, term: T, allowance: T) -> T {
         // An addition, a minimum and a maximum: the shortest chain from tick to tick, in the same time whatever the
         // data. The raised sum is computed beside the sum, not from it, at the price of one more rounding.
         let sum = self.sum + term;
-        self.sum = (self.sum + (term - most)).smaller(T::zero()).larger(sum);
+        self.sum = (self.sum + (term + allowance)).smaller(T::zero()).larger(sum);
         sum
     }
 
@@ -146,12 +146,12 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
     }
 
     #[inline(always)]
-    fn add_and_raise(&mut self, term: T, most: T) -> T {
+    fn add_and_raise(&mut self, term: T, allowance: T) -> T {
         self.add(term);
         let value = self.value();
         let mut raised = *self;
-        raised.add(-most);
-        let partly = value.below(most);
+        raised.add(allowance);
+        let partly = value.below(-allowance);
         let owed = value.below(T::zero());
         *self = Self::choose(owed, Self::choose(partly, raised, Self::zero()), *self);
         value
@@ -245,8 +245,8 @@ impl<T: Widen> Accumulator<T> for Wide<T> {
     }
 
     #[inline(always)]
-    fn add_and_raise(&mut self, term: T, most: T) -> T {
-        T::narrow(self.sum.add_and_raise(term.widen(), most.widen()))
+    fn add_and_raise(&mut self, term: T, allowance: T) -> T {
+        T::narrow(self.sum.add_and_raise(term.widen(), allowance.widen()))
     }
 
     #[inline(always)]

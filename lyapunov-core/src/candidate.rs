@@ -81,10 +81,10 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 /// `−ΔV = V(n−1) − V(n)`, which telescopes: the observed energy is `V(start) − V(n)` whatever the period,
 /// where a sum of `V̇ T` (the paper's equation 6) gathers a quadrature error on every tick.
 ///
-/// The side is a hand or a robot: when its `V` falls, the port absorbed. It is the other side of [`PortEnergy`], which counts what the environment stores
-/// as positive; the energy of a virtual spring at the port therefore goes in with a minus sign. Where `V` is not finite, the last finite value is kept, so that the next
-/// finite one spans the gap; in a sum of terms only this term does so. The first finite value, where the one at the
-/// start is not, decreases by 0.
+/// The side is a hand or a robot: when its `V` falls, the port absorbed. It is the other side of [`PortEnergy`], which
+/// counts what the environment stores as positive; the energy of a virtual spring at the port therefore goes in with a
+/// minus sign. Where `V` is not finite, the last finite value is kept, so that the next finite one spans the gap; in a
+/// sum of terms only this term does so. The first finite value, where the one at the start is not, decreases by 0.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;

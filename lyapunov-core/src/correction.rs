@@ -35,7 +35,7 @@ pub struct Correction<V: Signal> {
     pub alpha: V::Scalar,
     /// The part of the debt that this tick's correction cannot serve, J; it stays in `L`.
     pub shortfall: V::Scalar,
-    /// Whether the sample was accepted, lane by lane; if not, a stabilizer gives a zero effort, a guard its fallback.
+    /// Whether the sample was accepted, lane by lane; if not, the effort is 0, or what a watchdog or a guard gives instead.
     pub accepted: <V::Scalar as Scalar>::Mask,
 }
 

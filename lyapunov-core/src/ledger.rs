@@ -10,9 +10,9 @@ pub trait Work: Copy + Debug {
     /// The sample that the candidate's terms see, given the effort of the port behind the stabilizer.
     fn sample<V: Signal>(sample: &PortSample<V>, effort: V) -> PortSample<V>;
 
-    /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
+    /// Books `decrease` joules and then a correction that removes at most `allowance` joules of a debt; returns
     /// the sum before the correction.
-    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T;
+    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, allowance: T) -> T;
 }
 
 /// Held work: the applied effort times the displacement, which is the work that really crossed the port.
@@ -32,7 +32,7 @@ impl Work for Held {
     }
 
     #[inline(always)]
-    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, _most: T) -> T {
+    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, _allowance: T) -> T {
         sum.add(decrease);
         sum.value()
     }
@@ -62,10 +62,10 @@ impl Work for Sampled {
     }
 
     #[inline(always)]
-    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, most: T) -> T {
+    fn book<T: Scalar, A: Accumulator<T>>(sum: &mut A, decrease: T, allowance: T) -> T {
         // α dissipates exactly the debt, or the most it can where that is less, so the sum is raised by that here
         // instead of carrying α and v² to the next tick: the division leaves the chain from tick to tick.
-        sum.add_and_raise(decrease, most)
+        sum.add_and_raise(decrease, allowance)
     }
 }
 
@@ -132,14 +132,14 @@ impl<W: Work, A> Ledger<W, A> {
         W::sample(sample, effort)
     }
 
-    /// Books `decrease` joules and then a correction that removes at most `-most` joules of a debt; returns
+    /// Books `decrease` joules and then a correction that removes at most `allowance` joules of a debt; returns
     /// `L(n)`, the observed energy before the correction.
     #[inline(always)]
-    pub fn book<T: Scalar>(&mut self, decrease: T, most: T) -> T
+    pub fn book<T: Scalar>(&mut self, decrease: T, allowance: T) -> T
     where
         A: Accumulator<T>,
     {
-        W::book(&mut self.sum, decrease, most)
+        W::book(&mut self.sum, decrease, allowance)
     }
 
     /// `yes` where `mask` is true, `no` elsewhere, lane by lane.

@@ -47,7 +47,7 @@ pub enum Requirement {
 }
 
 impl Requirement {
-    /// The number of a requirement that has one, else 0. Taken before an axis is looked at: most have none, and optimised
+    /// The number of a requirement that has one, else 0. Taken before an axis is looked at: most have none, and optimized
     /// code that looks for it from axis to axis branches on memory that was never written.
     fn number(self) -> f64 {
         match self {
@@ -56,7 +56,7 @@ impl Requirement {
         }
     }
 
-    /// Whether `value` is right, for a requirement with this [`number`](Self::number).
+    /// Whether the value of one lane is right, for a requirement with this [`number`](Self::number).
     fn holds(self, number: f64, value: f64) -> bool {
         match self {
             Self::Finite | Self::InRange => value.is_finite(),
@@ -71,26 +71,26 @@ impl Requirement {
 
     /// The first lane of `value` that is not right.
     #[inline(always)]
-    fn wrong<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
+    fn first_wrong<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
         match T::LANES {
-            1 if self.holds_alone(number, value) => None,
+            1 if self.holds_in_one_lane(number, value) => None,
             1 => Some(value.lane(0)),
-            _ => self.missed(number, value),
+            _ => self.first_wrong_of_lanes(number, value),
         }
     }
 
     /// Whether the only lane of `value` is right. Written out for each parameter, so that the match folds.
     #[inline(always)]
-    fn holds_alone<T: Scalar>(self, number: f64, value: T) -> bool {
-        self.right(value).map_or_else(|| self.holds(number, value.lane(0)), Mask::all)
+    fn holds_in_one_lane<T: Scalar>(self, number: f64, value: T) -> bool {
+        self.lanes_that_hold(value).map_or_else(|| self.holds(number, value.lane(0)), Mask::all)
     }
 
-    /// The first lane of `value` that is not right. Out of line: written out for each parameter, the checks of lanes are most of a
+    /// The same of several lanes. Out of line: written out for each parameter, the checks of lanes are most of a
     /// constructor.
     #[inline(never)]
-    fn missed<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
+    fn first_wrong_of_lanes<T: Scalar>(self, number: f64, value: T) -> Option<f64> {
         // All at once first, for loops that change a parameter on each tick.
-        if self.right(value).is_some_and(Mask::all) {
+        if self.lanes_that_hold(value).is_some_and(Mask::all) {
             return None;
         }
         (0..T::LANES).map(|lane| value.lane(lane)).find(|&lane| !self.holds(number, lane))
@@ -99,7 +99,7 @@ impl Requirement {
     /// The lanes in which `value` is right, in its own type: where the processor has no doubles, each comparison of them is a
     /// function. None for a requirement with a number, which that type might round.
     #[inline(always)]
-    fn right<T: Scalar>(self, value: T) -> Option<T::Mask> {
+    fn lanes_that_hold<T: Scalar>(self, value: T) -> Option<T::Mask> {
         let none = T::zero();
         Some(match self {
             Self::Finite | Self::InRange => value.finite(),
@@ -117,7 +117,7 @@ impl Requirement {
     /// A [`ParameterError`] that names `parameter` and the first lane's value that is not right.
     #[inline]
     pub fn check<T: Scalar>(self, parameter: &'static str, value: T) -> Result<T, ParameterError> {
-        match self.wrong(self.number(), value) {
+        match self.first_wrong(self.number(), value) {
             Some(value) => Err(ParameterError { parameter, value, requirement: self }),
             None => Ok(value),
         }
@@ -138,7 +138,8 @@ impl Requirement {
         self.check_axes(parameter, known).map(|_| value)
     }
 
-    /// Nothing if `kept` in every lane: the check of what follows from a `given` value, which the caller has never seen itself.
+    /// `Ok(())` if `kept` holds in every lane: the check of a number computed from `given`, which the error reports because the
+    /// caller knows it.
     ///
     /// ```
     /// use lyapunov_core::{Requirement, Signal};
@@ -184,7 +185,7 @@ impl Requirement {
     ) -> Result<V, ParameterError> {
         let (number, mut refused) = (self.number(), None);
         let _ = signal.map(|axis| {
-            refused = refused.or_else(|| self.wrong(number, axis));
+            refused = refused.or_else(|| self.first_wrong(number, axis));
             axis
         });
         match refused {

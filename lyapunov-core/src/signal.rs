@@ -8,8 +8,8 @@ use num_traits::Zero;
 
 use crate::Scalar;
 
-/// Effort, flow, position or displacement at a port: every [`Scalar`], and nalgebra's `SVector<T, N>` of any
-/// scalar `T`.
+/// Effort, flow, position or displacement at a port: every [`Scalar`], nalgebra's `SVector<T, N>` of any scalar `T`, and
+/// pairs of signals, such as a [`Screw`](crate::Screw).
 ///
 /// ```
 /// use lyapunov_core::Signal;

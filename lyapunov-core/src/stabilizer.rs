@@ -8,7 +8,7 @@ use crate::{Correction, OnePort, ParameterError, PortSample, Signal, Snapshot};
 /// [`AdmittanceSample`](crate::AdmittanceSample) as the sample and a flow as the effort; it then adds a velocity in
 /// proportion to the force.
 ///
-/// A stabilizer never fails in the loop. A sample that it cannot use gives a zero effort and `accepted` false.
+/// A stabilizer never fails in the loop. A sample that it cannot use gives `accepted` false and a zero effort, or what a watchdog holds.
 /// Check one of your own with [`laws::stabilizer`](crate::laws::stabilizer).
 ///
 /// ```

@@ -3,7 +3,7 @@
 use lyapunov_core::{ParameterError, Requirement, Scalar};
 use nalgebra::{SMatrix, SVector};
 
-/// Nothing if `matrix` is positive definite: its pivots are the squares of the Cholesky factor's diagonal.
+/// `Ok(())` if `matrix` is positive definite: its pivots are the squares of the Cholesky factor's diagonal.
 pub(crate) fn positive_definite<T: Scalar, const N: usize>(
     mut matrix: SMatrix<T, N, N>,
     pivot: &'static str,

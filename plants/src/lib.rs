@@ -7,8 +7,8 @@
 //! law in space.
 //!
 //! A [`Body`] is one mass on an operator's hand, a [`TwoMassBody`] two masses; both move exactly. [`IntegratedPlant`]
-//! moves either by an integrator, such as [`RungeKuttaNystrom4`]. A [`RigidBody`] tumbles in space, and a [`SerialArm`] has a Jacobian. A [`Trajectory`] gives a hand's motion or a load as a
-//! function of time.
+//! moves either by an integrator, such as [`RungeKuttaNystrom4`]. A [`RigidBody`] tumbles in space, and a [`SerialArm`]
+//! has a Jacobian. A [`Trajectory`] gives a hand's motion or a load as a function of time.
 //!
 //! Effects are adaptors that own the port (chained by [`OnePortExt`]) or the plant (chained by [`PlantExt`]) on which
 //! they act; an effect that is absent costs nothing. A [`Channel`] carries messages between two loops.

@@ -68,7 +68,7 @@ pub(crate) fn owed<T: Scalar, A>(
     booked("debt carried over", debt, sum, |sum, debt| book(sum, -debt))
 }
 
-/// `sum` with the `parameter` of `energy` joules, which `book` has no room for where it says so.
+/// `sum` with `energy` joules booked; the error names `parameter`, also where `book` finds no room for them.
 pub(crate) fn booked<T: Scalar, A>(
     parameter: &'static str,
     energy: T,
@@ -99,6 +99,32 @@ impl<T: Scalar, W: Work, A: Accumulator<T>> Account<T> for Ledger<W, A> {
         Ok(())
     }
 }
+
+/// Account of a pointer to a stabilizer.
+macro_rules! account_behind {
+    ($($(#[$only:meta])? $pointer:ty),+) => {$(
+        $(#[$only])?
+        impl<T: Scalar, S: Account<T> + ?Sized> Account<T> for $pointer {
+            fn observed_energy(&self) -> T {
+                (**self).observed_energy()
+            }
+
+            fn reset(&mut self) {
+                (**self).reset();
+            }
+
+            fn grant(&mut self, energy: T) -> Result<(), ParameterError> {
+                (**self).grant(energy)
+            }
+
+            fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
+                (**self).owe(debt)
+            }
+        }
+    )+};
+}
+
+account_behind!(&mut S, #[cfg(feature = "alloc")] alloc::boxed::Box<S>);
 
 /// Account of a stabilizer that is the account of one of its fields.
 macro_rules! account {

@@ -1,8 +1,16 @@
-//! Correction of a stabilizer that limits efforts and adds no damping.
+//! Limits of efforts to what a store of energy pays for.
 
 use lyapunov_core::{Correction, Scalar, Signal};
 
-/// The `limited` effort where it is accepted, and none elsewhere; without damping a debt in `energy` is all shortfall.
+/// The part of `energy` joules that a step may hand out; none of a debt. It is less than all of it by 4 ε, more than the step and
+/// the work that follows round on one axis.
+#[inline(always)]
+pub(crate) fn payable<T: Scalar>(energy: T) -> T {
+    energy.larger(T::of(0.0)) * (T::of(1.0) - T::of(4.0) * T::epsilon())
+}
+
+/// The correction of a stabilizer that limits efforts and adds no damping: the `limited` effort where it is accepted, else none. A
+/// debt in `energy` is all shortfall.
 #[inline(always)]
 pub(crate) fn limiting<V: Signal>(
     limited: V,

@@ -17,11 +17,12 @@ use crate::{DampingLimit, StabilizerExt};
 /// work and the accumulator with which the stabilizer is built.
 ///
 /// The served energy is `L + α v² T`. Served energy plus shortfall is never negative, and the served energy is never
-/// negative where `v² T` is above the smallest normal number and `α` below its limit. Both hold exactly for a reader who
-/// recomputes the served energy as `L + α · ((v · v) · T)`: the second because `α` is rounded up by a few units in the
-/// last place, as long as `α` and that product are normal numbers, the first always, because the shortfall is what that
-/// reader finds missing. These are identities of bookkeeping: a tick may bring any debt. A run with `L ≥ 0` on every tick is one whose port gave no more than it took
-/// and was credited; that every run is like this is not promised.
+/// negative where `v² T` is above the smallest normal number and `α` below its limit. Both hold exactly for a reader
+/// who recomputes the served energy as `L + α · ((v · v) · T)`: the second because `α` is rounded up by a few units in
+/// the last place, as long as `α` and that product are normal numbers, the first always, because the shortfall is what
+/// that reader finds missing. These are identities of bookkeeping: a tick may bring any debt. A run with `L ≥ 0` on
+/// every tick is one whose port gave no more than it took and was credited; that every run is like this is not
+/// promised.
 ///
 /// Every choice is a select, so a sound sample takes the same time whatever it holds, and lanes run the same
 /// code. A sample is rejected where `L`, `v² T`, the served energy and the corrected effort do not add up to a finite
@@ -67,7 +68,8 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         Lolc { observer: self.observer.booking(), limit: self.limit }
     }
 
-    /// The same stabilizer with its energies summed in `sum`, from the present value of `sum` on.
+    /// The same stabilizer with its energies summed in `sum`, from the present value of `sum` on: what was summed before is left
+    /// behind, and with it a budget, so give that afterwards.
     #[must_use]
     pub fn summed_by<B: Accumulator<T>>(self, sum: B) -> Lolc<T, C, W, B> {
         let candidate = self.observer.candidate;
@@ -200,7 +202,7 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
         // order. The divisor stays normal: 0 would give an infinity, and a subnormal one takes several times as long.
         let margin = T::of(1.0) - T::of(4.0) * T::epsilon();
         let inverse = T::of(-1.0) / (square * margin).larger(T::smallest_normal());
-        let sum = self.observer.ledger.book(decrease, -limit * square);
+        let sum = self.observer.ledger.book(decrease, limit * square);
         // A sum of 0 or more gives a number of 0 or less, which makes alpha +0.
         let alpha = (sum * inverse).smaller(limit).larger(zero);
         // What alpha serves is multiplied out as a reader does, so that the shortfall is exact also where alpha underflows.

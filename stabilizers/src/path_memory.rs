@@ -1,4 +1,4 @@
-//! Forces on the way out no larger than those on the way in.
+//! Path memory: letting go gives no more energy, place by place, than pressing in took.
 
 use lyapunov_core::lanes::apart;
 use lyapunov_core::{

@@ -21,7 +21,8 @@ use crate::{
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 ///
-/// A stabilizer of your own joins by `impl StabilizerExt for Mine {}`, and by [`LimitCredit`] if it has credit.
+/// A stabilizer of your own joins by `impl StabilizerExt for Mine {}`, by [`LimitCredit`] if it has credit, and by
+/// [`Account`](crate::Account) if that can be read.
 pub trait StabilizerExt: Sized {
     /// The same stabilizer, which carries at most `most` joules of credit from tick to tick.
     ///
@@ -115,3 +116,16 @@ pub trait StabilizerExt: Sized {
 /// ```
 #[cfg(feature = "alloc")]
 impl<S: ?Sized> StabilizerExt for alloc::boxed::Box<S> {}
+
+/// A stabilizer that is lent keeps what it sums.
+///
+/// ```
+/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
+/// use lyapunov_stabilizers::{Account, DampingLimit, Popc, StabilizerExt};
+/// let mut popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
+/// let sample = HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 3.0 }.sample();
+/// (&mut popc).bounded(1e-4)?.stabilize(&sample, 3.0);
+/// assert_eq!(popc.observed_energy(), 1e-4);
+/// # Ok::<(), lyapunov_core::ParameterError>(())
+/// ```
+impl<S: ?Sized> StabilizerExt for &mut S {}

@@ -6,6 +6,7 @@ use lyapunov_core::{
 };
 
 use crate::account::account_in_sum;
+use crate::limiting::payable;
 use crate::{LimitCredit, StabilizerExt};
 
 /// Energy that an end of a two-layer teleoperator keeps and shares.
@@ -135,7 +136,7 @@ impl<V: Signal, A: Accumulator<V::Scalar>> Stabilizer<V> for TwoLayer<V::Scalar,
         let speed = sample.velocity.inner(sample.velocity).sqrt();
         let size = effort.inner(effort).sqrt();
         let asked = size * speed * sample.period;
-        let most = sum.larger(zero);
+        let most = payable(sum);
         let factor = V::Scalar::choose(asked.above(most), most / asked, one);
         let factor = V::Scalar::choose(most.above(zero), factor, zero);
         // Finite, so that at rest it is no force.

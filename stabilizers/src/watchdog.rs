@@ -133,6 +133,7 @@ impl<S, V: Signal> Watchdog<S, V> {
 }
 
 impl<S: Snapshot, V: Signal> Snapshot for Watchdog<S, V> {
+    /// The memory of the stabilizer inside, the last effort, N, the silence since, s, and how long the environment has risen, s.
     type State = (S::State, V, V::Scalar, V::Scalar);
 
     fn state(&self) -> Self::State {

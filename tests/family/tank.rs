@@ -4,7 +4,7 @@ use approx::assert_abs_diff_eq;
 use lyapunov::{
     DampingLimit, HeldTick, LyapunovCandidate, PortEnergy, PortSample, Scalar, Snapshot,
     Stabilizer,
-    stabilizers::{EnergyTank, LeastNorm, Tank, TankLimits, Valve},
+    stabilizers::{EnergyTank, LeastNorm, Sharing, Tank, TankLimits, TwoLayer, Valve},
 };
 
 use crate::support::{Dice, PERIOD};
@@ -200,6 +200,37 @@ fn rounding_keeps_the_floor() {
         }
     }
 }
+
+/// What is left after a step and the move that its velocity tells, J.
+fn left<T: Scalar>(mut end: impl Stabilizer<T>, period: T, velocity: T, wished: T) -> f64 {
+    let sample = PortSample::starting(period, T::of(0.0), velocity);
+    let applied = end.stabilize(&sample, wished).effort;
+    let (position, displacement) = (T::of(0.0), velocity * period);
+    let sample = HeldTick { period, position, velocity, displacement, applied }.sample();
+    end.stabilize(&sample, T::of(0.0)).observed_energy.lane(0)
+}
+
+/// As [`rounding_keeps_the_floor`], at ports.
+fn ports<T: Scalar>() {
+    let mut dice = Dice::of(4);
+    for _ in 0..100_000 {
+        let mut any = || T::of(dice.within(1.0).abs() + 1e-3);
+        let (floor, above) = (any(), any());
+        let (start, ceiling, power) = (floor + above, T::of(10.0), T::of(f64::INFINITY));
+        let limits = TankLimits { start, floor, ceiling, power };
+        let (period, much, speed) = (any() * T::of(1e-2), any() * T::of(1e6), any());
+        let all = (start - floor) / period / speed;
+        for wished in [much, all, all * T::of(1.0 - 2.0 * T::epsilon().lane(0))] {
+            let tank = Tank::new(PortEnergy, limits).expect("a tank");
+            let sharing = Sharing { start: start - floor, share: T::of(0.0) };
+            let end = TwoLayer::slave(sharing).expect("an end");
+            let left = [left(tank, period, -speed, wished), left(end, period, -speed, wished)];
+            assert!(left.iter().all(|&energy| energy >= 0.0), "{left:?} J of {limits:?}");
+        }
+    }
+}
+
+crate::worked::each_scalar!(rounding_takes_no_more_than_is_there, ports);
 
 #[test]
 fn a_tank_with_a_port_answers_what_is_not_finite() {

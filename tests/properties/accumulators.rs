@@ -192,7 +192,7 @@ fn raises<T: Real, A: Accumulator<T>>(samples: &[[Bits; 4]]) -> TestCaseResult {
             0 => 0,
             _ => grains.number(bits[2], 1.0),
         };
-        let between = sum.add_and_raise(grains.term(number), grains.term(-most));
+        let between = sum.add_and_raise(grains.term(number), grains.term(most));
         exact += number;
         // Each step rounds numbers no larger than these.
         size += exact.abs() + number.abs() + most.min(exact.abs());

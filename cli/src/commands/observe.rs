@@ -18,10 +18,11 @@ const RESULTS: &str = "observe.json";
 
 /// Observe a recorded log of any device: when energy was generated, how much and by which contact.
 ///
-/// The log is CSV (commas, semicolons or tabs) with the names of the columns in its first line, in SI units unless a name
-/// tells another, as in x [mm], f_kN or time (ms): t in s, increasing but not necessarily evenly; x in m; f in N, the
-/// environment's force on the device that acts from this row until the next. What run --csv writes is read as it is. Power f v > 0 flows into the environment: f is positive where it resists
-/// motion towards larger x, as a wall does. For a log with the other sign of force add --scale f=-1.
+/// The log is CSV (commas, semicolons or tabs) with the names of the columns in its first line, in SI units unless a
+/// name tells another, as in x [mm], f_kN or time (ms): t in s, increasing but not necessarily evenly; x in m; f in N,
+/// the environment's force on the device that acts from this row until the next. What run --csv writes is read as it
+/// is. Power f v > 0 flows into the environment: f is positive where it resists motion towards larger x, as a wall
+/// does. For a log with the other sign of force add --scale f=-1.
 ///
 /// Bad rows are counted and named, and the next good row spans the gap. docs/observe.md defines every number.
 ///

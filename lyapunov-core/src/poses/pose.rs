@@ -62,7 +62,7 @@ impl<T: Scalar> Pose<T> {
         (square * square).finite() & !(square * square).below(T::smallest_normal())
     }
 
-    /// Nothing if displacements can be counted from this stored pose.
+    /// `Ok(())` if displacements can be counted from this stored pose.
     pub(crate) fn counted_from(&self) -> Result<(), ParameterError> {
         Requirement::Finite.check_axes("stored position", self.position)?;
         let size = self.quaternion.map(Scalar::magnitude).sum();

@@ -37,7 +37,9 @@ use crate::{
 /// let wrench = Screw::new(Vector3::new(0.0, 8.0, 0.0), Vector3::zeros());
 /// let torque = port.torques(WithPose::of(wrench));
 /// assert_eq!(torque.x, 4.0); // N·m
-/// let moved = HeldTick { period: 1e-3, position: Vector1::new(0.01), velocity: Vector1::new(10.0), displacement: Vector1::new(0.01), applied: torque }.sample();
+/// let [position, displacement] = [Vector1::new(0.01); 2];
+/// let velocity = Vector1::new(10.0);
+/// let moved = HeldTick { period: 1e-3, position, velocity, displacement, applied: torque }.sample();
 /// let sample = port.tell(&moved, &pose(0.01), &jacobian(0.01));
 /// assert!((sample.work.sum() - 0.04).abs() < 1e-15); // J
 /// ```

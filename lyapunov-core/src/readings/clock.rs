@@ -10,8 +10,8 @@ pub struct Steady;
 /// Readings at the times of a clock that the caller reads, in seconds from any start.
 ///
 /// The times are `f64` whatever the port's scalar, so that a year still has nanoseconds, and one clock serves all lanes.
-/// A period by which it is moved on is that of the first lane. A time that cannot be one between two readings counts as one
-/// period, is reported ([`CheckedSample::timed`]), and spoils no later one:
+/// A time that cannot be one between two readings counts as one period, is reported ([`CheckedSample::timed`]), and spoils no
+/// later one; where the clock goes on by a period, it is that of the first lane:
 ///
 /// | time of a reading | counts as | the clock is taken to have gone on |
 /// |---|---|---|
@@ -21,8 +21,8 @@ pub struct Steady;
 /// | the same as the last, as of a clock too coarse | a period | by a period |
 /// | any other: a clock set back, a counter that overflowed, hardly more or less than was counted while it stood | a period | from there |
 ///
-/// A clock that stood goes on by the rest of what was counted for it, which may be arbitrarily short: as a time between readings it
-/// would make a velocity without a bound of any motion.
+/// A clock that stood goes on by the rest of what was counted for it, which may be arbitrarily short: a displacement
+/// over so short a time would be a velocity without bound.
 ///
 /// ```
 /// use lyapunov_core::{Reading, Readings};

@@ -95,7 +95,7 @@ impl<V: Signal> Memory<V> {
         self.gap = V::Scalar::of(0.0);
     }
 
-    /// Nothing if a track of this kind can go on from where it is.
+    /// `Ok(())` if a track of this kind can go on from where it is.
     pub(super) fn goes_on<P: Track<V>>(&self) -> Result<(), ParameterError> {
         if self.known().all() { P::counted_from(self.position) } else { Ok(()) }
     }

@@ -38,7 +38,7 @@ pub trait Track<V: Signal>: Copy {
     /// `known`; and the track with this position.
     fn lead(self, place: Self::Place, last: V, known: <V::Scalar as Scalar>::Mask) -> (V, Self);
 
-    /// Nothing if a stored position `last`, all of whose axes are finite, is one to count from.
+    /// `Ok(())` if a stored position `last`, all of whose axes are finite, is one to count from.
     ///
     /// # Errors
     /// A [`ParameterError`] that says why it is not.

@@ -25,7 +25,7 @@ fn counts<A: Accumulator<f64>>() {
             }
             _ => {
                 exact += term;
-                assert_eq!(sum.add_and_raise(term as f64, -most as f64), exact as f64);
+                assert_eq!(sum.add_and_raise(term as f64, most as f64), exact as f64);
                 exact = exact.max((exact + most).min(0));
             }
         }
@@ -78,7 +78,7 @@ fn raising_and_lowering_keep_or_forget_what_was_gathered() {
     let small = 2f32.powi(-30);
     let mut sum = Compensated::<f32>::zero();
     [-2.0, small].into_iter().for_each(|term| sum.add(term));
-    assert_eq!(sum.add_and_raise(0.0, -1.0), -2.0);
+    assert_eq!(sum.add_and_raise(0.0, 1.0), -2.0);
     sum.add(1.0);
     assert_eq!(sum.value(), small, "raised by 1 and by 1, of a debt of 2 less a little");
     // Lowered to a number it is that number: no error stays.

@@ -35,10 +35,11 @@ pub struct RigidParts<T> {
 /// ```
 ///
 /// Energy and momentum of rotation are quadratic, and this rule keeps what is quadratic (Hairer, Lubich and Wanner,
-/// Geometric Numerical Integration, 2006, IV.2): a free body keeps its energy to rounding, however it tumbles,
-/// as long as a step turns it by less than three radians; in `f32` rounding makes some per cent in a million slow ticks. A held torque does the work `τ · h ωₘ`, the displacement of the step, so the books of the port
-/// balance too. The motion itself is of order 2. Six iterations of Newton's method solve for `ωₘ`; they suffice while a
-/// step turns the body by less than about half a radian.
+/// Geometric Numerical Integration, 2006, IV.2): a free body keeps its energy to rounding, however it tumbles, as long
+/// as a step turns it by less than three radians; in `f32` rounding makes some per cent in a million slow ticks. A held
+/// torque does the work `τ · h ωₘ`, the displacement of the step, so the books of the port balance too. The motion
+/// itself is of order 2. Six iterations of Newton's method solve for `ωₘ`; they suffice while a step turns the body by
+/// less than about half a radian.
 ///
 /// ```
 /// use approx::assert_relative_eq;

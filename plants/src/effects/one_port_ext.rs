@@ -58,7 +58,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     /// Rounds positions to an encoder's `resolution`, m.
     ///
     /// # Errors
-    /// `resolution` not above 0 and finite.
+    /// `resolution` not above 0 and finite, or so small that everyday positions have more counts than the scalar can hold.
     fn encoded(self, resolution: V::Scalar) -> Result<Encoder<Self, V>, ParameterError> {
         Encoder::new(self, resolution)
     }

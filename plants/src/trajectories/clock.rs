@@ -6,7 +6,8 @@ use lyapunov_core::{ParameterError, Requirement};
 /// less.
 ///
 /// The billionth of a tick lets an instant that is meant to fall on a tick do so: 0.3 s at 10 Hz is tick 3, though
-/// rounding may put the product above 3. After some million ticks rounding is more than a billionth. An instant below 0 or NaN is tick 0, and one that is too large the last tick.
+/// rounding may put the product above 3. After some million ticks rounding is more than a billionth. An instant below 0
+/// or NaN is tick 0, and one that is too large the last tick.
 ///
 /// ```
 /// use lyapunov_plants::tick_of;

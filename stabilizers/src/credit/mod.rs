@@ -26,6 +26,14 @@ impl<T: Scalar, S: LimitCredit<T> + ?Sized> LimitCredit<T> for &mut S {
     }
 }
 
+#[cfg(feature = "alloc")]
+impl<T: Scalar, S: LimitCredit<T> + ?Sized> LimitCredit<T> for alloc::boxed::Box<S> {
+    #[inline]
+    fn limit_credit(&mut self, most: T) {
+        (**self).limit_credit(most);
+    }
+}
+
 /// Limit on the credit of a stabilizer that is the credit of one of its fields.
 macro_rules! limits_credit {
     (impl[$($parameters:tt)*] $type:ty, in $scalar:ty, of $($field:ident).+) => {

@@ -89,10 +89,10 @@ impl<T: Scalar, A: Accumulator<T>, const N: usize> Accumulator<T> for WindowedCr
     }
 
     #[inline(always)]
-    fn add_and_raise(&mut self, term: T, most: T) -> T {
+    fn add_and_raise(&mut self, term: T, allowance: T) -> T {
         self.expire();
         self.enter(term);
-        self.sum.add_and_raise(term, most)
+        self.sum.add_and_raise(term, allowance)
     }
 
     #[inline(always)]

@@ -34,7 +34,8 @@ use crate::{LimitCredit, StabilizerExt};
 /// );
 /// let twist = Screw::<f64, WorldAxes>::new(Vector3::x() * 0.1, Vector3::z() * 3.0);
 /// let applied = Screw::new(Vector3::x() * 2.0, Vector3::z() * -0.01); // +0.2 mJ, −0.03 mJ
-/// let sample = HeldTick { period: 1e-3, position: twist, velocity: twist, displacement: Screw::new(Vector3::x() * 1e-4, Vector3::z() * 3e-3), applied }.sample();
+/// let displacement = Screw::new(Vector3::x() * 1e-4, Vector3::z() * 3e-3);
+/// let sample = HeldTick { period: 1e-3, position: twist, velocity: twist, displacement, applied }.sample();
 /// let effort = popc.stabilize(&sample, Screw::new(Vector3::zeros(), Vector3::zeros())).effort;
 /// assert!(effort.translation.x == 0.0 && effort.rotation.z > 0.0);
 /// # Ok::<(), lyapunov_core::ParameterError>(())

@@ -35,7 +35,8 @@ use crate::{DampingLimit, Inertia};
 /// let unlimited = Popc::new(PortEnergy, DampingLimit::at(f64::INFINITY)?);
 /// let mut popc = InertiaLimit::new(unlimited, posture(0.0)?, 0.5, 1e-3)?;
 /// let rates = Vector2::new(1.0, 0.0);
-/// let given = HeldTick { period: 1e-3, position: rates, velocity: rates, displacement: rates * 1e-3, applied: Vector2::new(-900.0, 0.0) }.sample(); // a debt of 0.9 J
+/// let (displacement, applied) = (rates * 1e-3, Vector2::new(-900.0, 0.0)); // a debt of 0.9 J
+/// let given = HeldTick { period: 1e-3, position: rates, velocity: rates, displacement, applied }.sample();
 /// assert!((popc.stabilize(&given, Vector2::zeros()).alpha - 0.5 * 0.4 / 1e-3).abs() < 1e-9);
 /// popc.tell(posture(0.3)?); // stretched
 /// assert!((popc.stabilize(&given, Vector2::zeros()).alpha - 0.5 * 0.7 / 1e-3).abs() < 1e-9);

@@ -83,6 +83,7 @@ impl<S, V: Signal> RateLimit<S, V> {
 }
 
 impl<S: Snapshot, V: Signal> Snapshot for RateLimit<S, V> {
+    /// The memory of the stabilizer inside, and what the last correction added, N.
     type State = (S::State, V);
 
     fn state(&self) -> Self::State {

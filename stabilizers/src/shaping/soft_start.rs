@@ -79,6 +79,7 @@ impl<S, T: Scalar> SoftStart<S, T> {
 }
 
 impl<S: Snapshot, T: Scalar> Snapshot for SoftStart<S, T> {
+    /// The memory of the stabilizer inside, and the ticks of the engagement so far.
     type State = (S::State, T);
 
     fn state(&self) -> Self::State {

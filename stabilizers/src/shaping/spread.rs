@@ -79,6 +79,7 @@ impl<S, T: Scalar> Spread<S, T> {
 }
 
 impl<S: Snapshot, T: Scalar> Snapshot for Spread<S, T> {
+    /// The memory of the stabilizer inside, and the part of the debt that is paid on each tick, J.
     type State = (S::State, T);
 
     fn state(&self) -> Self::State {

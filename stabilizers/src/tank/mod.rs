@@ -14,7 +14,7 @@ use lyapunov_core::{
 use crate::StabilizerExt;
 use crate::account::account;
 use crate::credit::limits_credit;
-use crate::limiting::limiting;
+use crate::limiting::{limiting, payable};
 
 /// Limits on the energy that a [`Tank`] or an [`EnergyTank`] may hold and hand out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -125,7 +125,7 @@ where
         let booked = self.observer.ledger.credit(decrease);
         let sum = self.observer.ledger.energy().smaller(self.room);
         self.observer.ledger.limit_credit(self.room);
-        let most = (sum.larger(zero) / sample.period).smaller(self.power);
+        let most = (payable(sum) / sample.period).smaller(self.power);
         let given = -effort.inner(sample.velocity);
         let factor = V::Scalar::choose(given.above(most), most / given, one);
         let timed = sample.period.above(zero);

@@ -3,6 +3,7 @@
 use lyapunov_core::Scalar;
 
 use super::TankLimits;
+use crate::limiting::payable;
 
 /// Valve: the energy that a tank lets in and out in one period.
 pub trait Valve<T: Scalar>: sealed::Sealed {
@@ -49,10 +50,7 @@ pub struct BoundedValve;
 impl<T: Scalar> Valve<T> for BoundedValve {
     #[inline]
     fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T {
-        // Less by more than two quotients, two products and the difference round: the floor holds.
-        let kept = T::of(1.0) - T::of(4.0) * T::epsilon();
-        let room = (energy - store.floor).larger(T::of(0.0)) / period * kept;
-        let most = room.smaller(store.power);
+        let most = (payable(energy - store.floor) / period).smaller(store.power);
         T::choose(asked.above(most), most / asked, T::of(1.0))
     }
 

@@ -149,6 +149,7 @@ impl<S, V: Signal> DriftCompensated<S, V> {
 }
 
 impl<S: Snapshot, V: Signal> Snapshot for DriftCompensated<S, V> {
+    /// The memory of the stabilizer inside, and the drift, m.
     type State = (S::State, V);
 
     fn state(&self) -> Self::State {

@@ -36,9 +36,10 @@ use one_way::OneWay;
 ///
 /// **Guarantee**: `in₁ + in₂ − out₁ − out₂ + burnt₁ + burnt₂ ≥ W₁ + W₂`, the left being the work of both ports, for any
 /// delay, jitter or loss: the sums that are sent never fall, so a late, old or lost message reports too little and
-/// never too much. **Assumed** is only that both report the truth. And `W` of a side, what the tick's correction is about to
-/// dissipate, `α v² T`, and the shortfall sum to 0 at least. This is no bound of the work: where the motion turns round, the
-/// correction pushes instead, and a port whose hand turns on every tick gives away twice as much from tick to tick.
+/// never too much. **Assumed** is only that both report the truth. And `W` of a side, what the tick's correction is
+/// about to dissipate, `α v² T`, and the shortfall sum to 0 at least. This is no bound of the work: where the motion
+/// turns round, the correction pushes instead, and a port whose hand turns on every tick gives away twice as much from
+/// tick to tick.
 ///
 /// The paper (Mechatronics 20(7), 2010) books sampled power, and so does [`sampled`](Self::sampled), as in public code
 /// that implements it; the held account above is derived here from the same split.

@@ -170,7 +170,7 @@ macro_rules! line {
 line! {
     f32, wide Wide<f32>, by at_once;
     f64, wide Wide<f64>, by at_once;
-    // No lanes are wider; two numbers have as many digits.
+    // There is no wider type of lanes; a compensated sum has as many digits.
     F64x8, wide Compensated<F64x8>, by Instructions::run;
     // For references: nothing is wider, and nothing needs to be.
     DoubleDouble, wide Plain<DoubleDouble>, by at_once;

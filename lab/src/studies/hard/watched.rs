@@ -293,7 +293,7 @@ impl Meter {
     /// The least damping that a told one of `alpha` N·s/m may stand for, as it is rounded: by a share of itself, and below
     /// the smallest normal number by as much as there.
     fn least_damping(&self, alpha: f64) -> f64 {
-        // Sums, and 0 for what asks for nothing: the processor takes a hundred times as long for products of such numbers.
+        // By addition, and 0 where nothing is asked for: a product with such a number takes a hundred times as long.
         let twice = self.smallest + self.smallest;
         let least = alpha * (1.0 - 16.0 * self.epsilon) - twice - twice;
         if least < 0.0 { 0.0 } else { least }

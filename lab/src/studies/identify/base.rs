@@ -22,7 +22,7 @@ impl Base {
                 .zip(weights)
                 .map(|(line, weight)| weight * line[(0, column)])
                 .collect();
-            // Twice is enough.
+            // Twice: the second pass removes what the first rounds.
             for _ in 0..2 {
                 for (row, other) in base.vectors.iter().enumerate() {
                     let part = dot(other, &vector);

@@ -37,7 +37,7 @@ pub(super) fn spread(
 ) -> Option<Spread> {
     let mut target = (weight / FEWEST).min(BLOCKS).max(free as f64 + 3.0);
     let mut blocks = blocks(scores, inverse, free as f64 / target);
-    // Where few rows know nearly all, blocks are as fine as it takes.
+    // Where a few rows have most of the leverage, the blocks are made finer until there are enough.
     while blocks.len() < free + 3 && target < scores.len() as f64 {
         target *= 2.0;
         blocks = self::blocks(scores, inverse, free as f64 / target);

@@ -98,7 +98,7 @@ impl Setting<'_> {
     pub(super) fn refine(&self, from: Coefficients) -> Option<Fit> {
         let mut at = from;
         let mut pass = self.pass(&at)?;
-        // What is linear first: without a force nothing bends.
+        // The linear coefficients first: they are right where there is no force, and the others have no effect there.
         let linear = [false, false, self.free[BIAS], self.free[MOBILITY]];
         if let Some(step) = solve(&pass, linear)
             && let Some(next) = self.pass(&(at + step))

@@ -139,7 +139,7 @@ impl Recording {
         };
         let moves: Vec<f64> = self.stretches.iter().flat_map(moved).collect();
         let step = moves.iter().copied().reduce(f64::min)?;
-        // A grid that nearly every move is many steps of is the rounding of a computer.
+        // A step of which a move has a million is the rounding of a number, and not that of an encoder.
         let is_grid = |step: f64| {
             moves.iter().all(|it| ((it / step).round() - it / step).abs() < 1e-3 && it / step < 1e6)
         };

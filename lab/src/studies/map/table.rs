@@ -258,7 +258,7 @@ impl<R: BufRead> Rows<R> {
             match self.read_cell() {
                 Ok(Some(bytes)) => self.read += bytes,
                 rest => {
-                    // Of a cell that is not whole.
+                    // The text of a cell that is not whole.
                     self.text.truncate(start);
                     failed = rest.err();
                     break;

@@ -31,9 +31,9 @@ pub use transition::{Transition, Transitions};
 /// No band of velocities counts as rest (Karnopp 1985), and the position of a device that sticks does not change by a
 /// bit.
 ///
-/// Friction acts on one axis; on several it is [`IsotropicFriction`]. It is computed in `f64` and rounded at the end of the
-/// period; lanes share the work between events, and each has its own. A step does not take constant time. With `static` 0 the body moves as it does without friction, bit for
-/// bit.
+/// Friction acts on one axis; on several it is [`IsotropicFriction`]. It is computed in `f64` and rounded at the end of
+/// the period; lanes share the work between events, and each has its own. A step does not take constant time. With
+/// `static` 0 the body moves as it does without friction, bit for bit.
 ///
 /// A period may have 1024 pieces, about one for every radian that the fastest mode turns and one for each event.
 /// A period that needs more, or leaves the range of `f64` on the way, is moved over roughly: with the friction that

@@ -157,6 +157,6 @@ fn measured(
     let tables: Vec<_> = scenes.iter().map(|scene| scene.stabilizer).collect();
     let runs = Runs { scenes, told: scenes, tables: &tables, instructions };
     let done = runs.measured::<AllMeasures>(&|| true).map_err(|(_, error)| error)?;
-    // Nobody stops them.
+    // They are never stopped, so there always is a result.
     Ok(done.unwrap_or_default())
 }

@@ -26,7 +26,7 @@ impl Roster {
 }
 
 fn roster() -> &'static Roster {
-    // Whoever asks first ends the time to enter more: a name must not come to be known halfway through.
+    // The first look closes the roster, so that a name is known from the start or never.
     ROSTER.get_or_init(|| Roster::of(Vec::new()))
 }
 
