@@ -41,8 +41,8 @@ pub(crate) struct Run {
     /// standard output.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write the same rows as Parquet to this file, with scene, seeds, units and version in its metadata.
-    #[cfg(feature = "parquet")]
+    /// Write the same rows as Parquet to this file, with scene, seeds, units and version in its metadata; in a build with
+    /// the feature parquet.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["csv", "out"])]
     parquet: Option<PathBuf>,
     /// Write report.html, run.json, the rows (run.csv) and a plot of position, force, energy and velocity (SVG and PNG)
@@ -100,7 +100,6 @@ impl Run {
             let (scene, log) = self.laid_over(scene)?;
             return self.fill(&scene, log, out);
         }
-        #[cfg(feature = "parquet")]
         if let Some(path) = &self.parquet {
             return self.to_parquet(scene, path);
         }
@@ -151,6 +150,13 @@ impl Run {
         let told = simulate(&scene, &self.progress(&scene), sink, None, log)?;
         rows.into_inner().map_err(refused)?.keep().map_err(End::input)?;
         self.tell(&told)
+    }
+
+    /// The answer of a program that was built without it.
+    #[cfg(not(feature = "parquet"))]
+    fn to_parquet(&self, _scene: Scene, _path: &Path) -> Result<(), End> {
+        let remedy = "take --csv, or build with it: cargo install --path cli --features parquet";
+        Err(End::input(format_args!("this program was built without Parquet\n  = {remedy}")))
     }
 
     /// Simulates with results in the folder `out`.

@@ -19,10 +19,16 @@ impl Sidecar {
     /// The one beside the file at `rows`.
     ///
     /// # Errors
-    /// A file under that name that is one of `inputs`, or that no program like this one wrote.
+    /// A file under that name that is one of `inputs`, or that no program like this one wrote; rows in the place of a scene.
     pub(crate) fn beside(rows: &Path, inputs: &Inputs) -> Result<Self, End> {
         if Output::is_direct(rows) {
             return Ok(Self(None));
+        }
+        if rows.extension().is_some_and(|ending| ending == "toml") && rows.exists() {
+            return Err(End::input(format_args!(
+                "{}: this file has the ending of a scene, and rows would replace it\n  = choose another name for the rows",
+                rows.display()
+            )));
         }
         let mut place = rows.with_extension("json");
         if place == rows {

@@ -34,14 +34,18 @@ pub(crate) fn counted(count: usize, thing: &str) -> String {
     format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Names of what is equal for a place of `room` characters: all, or the first and the number of the others.
+/// Names of what is equal for a place of `room` characters: all, or the first and the number of the others, in words if there
+/// is room.
 pub(crate) fn shortened_names(names: &[&str], room: usize) -> String {
+    let fits = |text: &String| text.chars().count() <= room;
     let all = names.join(" = ");
     match names {
-        [_, _, ..] if all.chars().count() > room => match names.len() - 1 {
-            1 => format!("{} = 1 other", names[0]),
-            others => format!("{} = {others} others", names[0]),
-        },
+        [first, _, ..] if !fits(&all) => {
+            let others = names.len() - 1;
+            let plural = if others == 1 { "" } else { "s" };
+            let told = Some(format!("{first} = {others} other{plural}")).filter(fits);
+            told.unwrap_or_else(|| format!("{first} + {others}"))
+        }
         _ => all,
     }
 }
@@ -70,11 +74,13 @@ mod tests {
             assert!(line.len() <= WIDTH && !line.ends_with("thing") && !line.ends_with("number"));
         }
     }
+
     #[test]
     fn equal_names_that_have_no_room_are_counted() {
         assert_eq!(shortened_names(&["none"], 2), "none");
         assert_eq!(shortened_names(&["popc", "lolc"], 11), "popc = lolc");
-        assert_eq!(shortened_names(&["popc", "lolc"], 10), "popc = 1 other");
-        assert_eq!(shortened_names(&["popc", "lolc", "tank"], 11), "popc = 2 others");
+        assert_eq!(shortened_names(&["lolc-spring", "popc"], 17), "lolc-spring + 1");
+        assert_eq!(shortened_names(&["popc", "lolc", "tank"], 15), "popc = 2 others");
+        assert_eq!(shortened_names(&["popc", "lolc", "tank"], 14), "popc + 2");
     }
 }

@@ -37,8 +37,8 @@ fn a_debt_is_raised_by_sampled_work_only() {
     for (decrease, held_sum, sampled_sum) in
         [(-8.0, -8.0, -8.0), (-1.0, -9.0, -6.0), (9.0, 0.0, 6.0)]
     {
-        assert_eq!(held.book(decrease, -3.0), held_sum);
-        assert_eq!(sampled.book(decrease, -3.0), sampled_sum);
+        assert_eq!(held.book(decrease, 3.0), held_sum);
+        assert_eq!(sampled.book(decrease, 3.0), sampled_sum);
     }
     assert_eq!((held.energy::<f64>(), sampled.energy::<f64>()), (0.0, 6.0));
 }

@@ -27,9 +27,9 @@ use crate::account::lends;
 /// sample, a [sampled](TwoPortSide::sampled) one at once. So the account does not fall below 0 by compensation while
 /// the force is as measured: with `z = 0`, the force of the sample over the period that follows.
 ///
-/// With `z = 0` this is the compensation of Artigas, Ryu and Preusche (IEEE/RSJ International Conference on Intelligent
+/// With `z = 0` and sampled work this is the compensation of Artigas, Ryu and Preusche (IEEE/RSJ International Conference on Intelligent
 /// Robots and Systems, 2010) and of Chawda, Ly Van Quang, O'Malley and Ryu (IEEE Haptics Symposium, 2014), as in public
-/// code that implements it; the answer `z` is derived here.
+/// code that implements it; the answer `z` and the credit of held work are derived here.
 ///
 /// The sample is an [`AdmittanceSample`](lyapunov_core::AdmittanceSample): `velocity` is the force, the effort in and
 /// out are flows. The reported correction is the stabilizer's alone.

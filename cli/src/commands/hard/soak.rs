@@ -39,7 +39,12 @@ impl Hard {
                 .written_in(&scene, &[])
                 .map_err(|error| End::input(format_args!("{name}: {error}")))?,
             Some(member) => {
-                return Err(End::input(format_args!("{name}: lacks what `{member}` is set by")));
+                let lacks = format!(
+                    "{name}: the scene does not suit `{member}`, or lacks what it is set by"
+                );
+                return Err(End::input(format_args!(
+                    "{lacks}\n  = take another, or see docs/family.md"
+                )));
             }
         };
         let broken = breach(&scene).map_err(|error| End::input(format_args!("{name}: {error}")))?;

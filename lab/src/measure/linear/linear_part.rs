@@ -6,6 +6,7 @@ use std::fmt;
 use lyapunov::bodies::{DampedMass, ElasticJoint, Impedance};
 
 use crate::files::scene::{Effects, Filter, Integrator, Scalar, Scene, Velocity};
+use crate::text::given;
 
 /// The linear part of a scene, contact assumed: the stiffness limits are about it.
 ///
@@ -130,6 +131,32 @@ impl LinearPart {
         })
     }
 
+    /// The worst of what this part of `scene` leaves out, the environment where it is steepest and each later grip, and the spectral
+    /// radius there; none where all of it is stable.
+    pub(crate) fn unstable_elsewhere(self, scene: &Scene) -> Option<(String, f64)> {
+        let own = (String::new(), self.environment);
+        let steepest = scene.environment.kind().steepest().unwrap_or(self.environment);
+        let words =
+            format!(" where the environment is steepest, {} N/m", given(steepest.stiffness));
+        let mut hands = vec![(String::new(), self.operator)];
+        if let Some(grip) = &scene.operator.grip {
+            let rows = grip.times.iter().zip(&grip.stiffness).zip(&grip.damping);
+            hands.extend(rows.map(|((time, stiffness), damping)| {
+                let words = format!(" with the grip from {} s on", given(time.get()));
+                let (stiffness, damping) = (stiffness.get(), damping.get());
+                (words, Impedance { stiffness, damping, ..self.operator })
+            }));
+        }
+        let pairs = [own, (words, steepest)].into_iter().flat_map(|(words, environment)| {
+            let of = |(hand, operator): &(String, _)| {
+                let part = Self { environment, operator: *operator, ..self };
+                (format!("{words}{hand}"), part.spectral_radius())
+            };
+            hands.iter().map(of).collect::<Vec<_>>()
+        });
+        pairs.filter(|(_, radius)| *radius > 1.0).max_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
     /// Whether the run of `scene` is that of this part but for rounding, since the scene has nothing that the part leaves out.
     pub(crate) fn is_all_of(&self, scene: &Scene) -> bool {
         let Effects { encoder, saturation, noise, jitter, friction, load, pulse, .. } =
@@ -158,5 +185,42 @@ impl LinearPart {
     /// The environment's period, s.
     pub fn environment_period(&self) -> f64 {
         self.period * self.ratio as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(hand: &str, environment: &str) -> (LinearPart, Scene) {
+        let text = format!(
+            "duration = 6\nservo_rate = 1000\ndevice = {{ mass = 0.2, damping = 0.1 }}\neffects.delay.ticks = 1\n\
+             operator = {{ mass = 0.1, {hand} }}\nenvironment.{environment}"
+        );
+        let scene = Scene::parse(&text, "test").unwrap_or_else(|fault| panic!("{fault}"));
+        (LinearPart::of(&scene).unwrap(), scene)
+    }
+
+    /// A layer and a later grip are told with the radius of a scene that has nothing else.
+    #[test]
+    fn a_steeper_layer_and_a_later_grip_are_told() {
+        let hand = "damping = 12, stiffness = 300, rest = 0.02";
+        let layers = "layered-wall = { depth = 1e-3, stiffness = [300, 20000], damping = 1 }";
+        let (own, scene) = part(hand, layers);
+        let (alone, _) = part(hand, "wall = { stiffness = 20000, damping = 1 }");
+        let place = " where the environment is steepest, 20000 N/m".to_owned();
+        assert!(own.spectral_radius() < 1.0 && alone.spectral_radius() > 1.0);
+        assert_eq!(own.unstable_elsewhere(&scene), Some((place, alone.spectral_radius())));
+
+        let wall = "wall = { stiffness = 4000, damping = 1 }";
+        let grip = "grip = { times = [1.5], stiffness = [200], damping = [0.2] }";
+        let (own, scene) = part(&format!("{hand}, {grip}"), wall);
+        let (alone, _) = part("damping = 0.2, stiffness = 200, rest = 0.02", wall);
+        let place = " with the grip from 1.5 s on".to_owned();
+        assert!(own.spectral_radius() < 1.0 && alone.spectral_radius() > 1.0);
+        assert_eq!(own.unstable_elsewhere(&scene), Some((place, alone.spectral_radius())));
+
+        let (own, scene) = part(hand, wall);
+        assert_eq!(own.unstable_elsewhere(&scene), None);
     }
 }

@@ -17,6 +17,9 @@ const BESIDE: usize = 4;
 /// Characters of a title of a small panel.
 const ROOM: usize = 20;
 
+/// Characters of a name in a legend.
+const LEGEND: usize = 60;
+
 /// The shown range as a multiple of the starting swing, if every entrant grows.
 const SHOWN: f64 = 3.0;
 
@@ -197,7 +200,8 @@ impl Drawing<'_> {
         let setting = self.setting(&outcomes);
         let some_leave = setting.len() < outcomes.len() || outcomes.iter().all(|it| grows(it));
         let range = self.range(&setting, shared).filter(|_| some_leave);
-        let named: Vec<_> = shared.iter().map(|one| (one, one.names.join(" = "))).collect();
+        let named: Vec<_> =
+            shared.iter().map(|one| (one, shortened_names(&one.names, LEGEND))).collect();
         self.framed(panel, &named, range, true)
     }
 

@@ -79,15 +79,24 @@ impl<'a> Hint<'a> {
                     "{own} N/m is less than the {least} N/m from which on the linear loop is stable"
                 )
             }
-            Some(_) if self.0.scene.integrator != Integrator::Exact => {
-                "in contact the linear loop is stable; what drives the run is not in it, and may be the integrator's own \
-                 error: compare with integrator = \"exact\""
+            Some(_) => self.beyond(part),
+        }
+    }
+
+    /// The reason where the linear loop is stable.
+    fn beyond(&self, part: LinearPart) -> String {
+        let scene = &self.0.scene;
+        let more = match part.unstable_elsewhere(scene) {
+            Some((place, radius)) => {
+                format!(", but not{place}: spectral radius {}", near_one(radius, 8))
+            }
+            None if scene.integrator != Integrator::Exact => {
+                "; what drives the run is not in it, and may be the integrator's own error: compare with integrator = \"exact\""
                     .to_owned()
             }
-            Some(_) => {
-                "in contact the linear loop is stable; what drives the run is not in it".to_owned()
-            }
-        }
+            None => "; what drives the run is not in it".to_owned(),
+        };
+        format!("in contact the linear loop is stable{more}")
     }
 
     /// The debt that a cap below the default left, beside which the stiffness explains little.

@@ -6,8 +6,8 @@ use super::goal::Goal;
 use super::hint::{LEFT, broken};
 use super::{Change, DimensionlessGroups, Explanation, Remedy};
 use crate::files::scene::Integrator;
-use crate::measure::Balance;
 use crate::measure::summary::MILLI;
+use crate::measure::{Balance, LinearPart};
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
@@ -64,6 +64,7 @@ impl Explanation {
             let radius = near_one(radius, 8);
             writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius}")?;
         }
+        self.write_elsewhere(f)?;
         if self.scene.dimensions() > 1 {
             writeln!(f, "{}", folded("  in space     ", IN_SPACE))?;
         }
@@ -87,6 +88,15 @@ impl Explanation {
         }
         let mut signs = self.look_at.iter();
         signs.try_for_each(|it| writeln!(f, "{}", folded("  look at      ", &it.text)))
+    }
+
+    /// What the scene's linear part leaves out, where that makes a stable loop unstable.
+    fn write_elsewhere(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let part = LinearPart::of(&self.scene).ok().filter(|part| part.spectral_radius() < 1.0);
+        match part.and_then(|part| part.unstable_elsewhere(&self.scene)) {
+            Some((place, radius)) => writeln!(f, "{:15}not{place}: {}", "", near_one(radius, 8)),
+            None => Ok(()),
+        }
     }
 
     fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -209,7 +219,7 @@ fn lines(of: &Balance) -> [(&'static str, f64); 15] {
         ("in    through the filter", of.filter),
         ("in    through the encoder", of.encoder),
         ("in    through the saturation", of.saturation),
-        ("in    from the hand that moves", of.hand),
+        ("in    from the hand (motion, grip)", of.hand),
         ("in    from load and pulse", of.push),
         ("out   into the device's damper", of.device),
         ("out   into the operator's damper", of.operator),

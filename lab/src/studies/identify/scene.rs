@@ -23,7 +23,11 @@ fn write(out: &mut String, report: &Report, alone: Alone, origin: f64) -> std::f
     // The sum has digits of its rounding behind the fifteenth.
     let place = |it: f64| rounded(origin + tidy(it - origin), 15);
     let name = legible(&report.log);
-    writeln!(out, "# Fitted to {name}: mass, damping, spring and wall with their 95 % intervals.")?;
+    let intervals = if report.residual.is_pushed { "" } else { "95 % " };
+    writeln!(
+        out,
+        "# Fitted to {name}: mass, damping, spring and wall with their {intervals}intervals."
+    )?;
     let rate = tidy(tidy(report.mean_period).recip());
     // Whole ticks, up to the log's last row or beyond it.
     let ticks = (report.duration * rate - ROUNDING).ceil();

@@ -83,7 +83,8 @@ impl Report {
             Heading::word("number"),
             Heading::number("fitted"),
             Heading::number("from"),
-            Heading::number("to (95 %)"),
+            // What pushes moves the numbers by more than the intervals know.
+            Heading::number(if self.residual.is_pushed { "to" } else { "to (95 %)" }),
             Heading::word("unit"),
         ];
         let rows = self.named().into_iter().map(|(_, name, unit, it)| {

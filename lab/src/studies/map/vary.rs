@@ -45,7 +45,7 @@ impl Vary {
             let problem = format!("`{list}` is a list");
             return Err(VaryError::new(
                 problem,
-                "give a single number: coordinates cannot be mapped",
+                "name a key that holds one number: lists cannot be mapped",
             ));
         }
         let is_whole = match find(tree, key) {

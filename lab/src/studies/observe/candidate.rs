@@ -49,12 +49,12 @@ impl Candidate {
             ("spring", Some(_), _) => unused("damping"),
             ("spring", ..) | ("device-damping", _, Some(_)) => unused("surface"),
             ("device-damping", Some(damping), None) => Ok(Self::DeviceDamping { damping }),
-            ("device-damping", ..) => missing("damping", "0.1 N.s/m"),
+            ("device-damping", ..) => missing("damping", "--damping 0.1 (N.s/m)"),
             ("mass-spring-damper", Some(damping), Some(surface)) => {
                 Ok(Self::MassSpringDamper { damping, surface })
             }
-            ("mass-spring-damper", None, _) => missing("damping", "2 N.s/m"),
-            ("mass-spring-damper", ..) => missing("surface", "0 m"),
+            ("mass-spring-damper", None, _) => missing("damping", "--damping 2 (N.s/m)"),
+            ("mass-spring-damper", ..) => missing("surface", "--surface 0 (m)"),
             _ => Err(LogError::new(format!("there is no candidate `{word}`"))
                 .with_help(format!("the candidates are {}", Self::NAMES.join(", ")))),
         }

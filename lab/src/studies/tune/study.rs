@@ -53,7 +53,7 @@ impl fmt::Display for TuneError {
                 )?;
                 match &others.iter().map(|other| other.name()).collect::<Vec<_>>()[..] {
                     [] => write!(f, "there is no objective for it: compare its stabilizers"),
-                    names => write!(f, "choose others with --objective: {}", names.join(", ")),
+                    names => write!(f, "take another objective: {}", names.join(", ")),
                 }
             }
             Self::Axes(conflict) => {
