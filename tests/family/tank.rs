@@ -201,7 +201,7 @@ fn rounding_keeps_the_floor() {
     }
 }
 
-/// What is left after a step and the move that its velocity tells, J.
+/// Energy left after a step and the move that its velocity tells, J.
 fn left<T: Scalar>(mut end: impl Stabilizer<T>, period: T, velocity: T, wished: T) -> f64 {
     let sample = PortSample::starting(period, T::of(0.0), velocity);
     let applied = end.stabilize(&sample, wished).effort;

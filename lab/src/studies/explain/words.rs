@@ -90,7 +90,7 @@ impl Explanation {
         signs.try_for_each(|it| writeln!(f, "{}", folded("  look at      ", &it.text)))
     }
 
-    /// What the scene's linear part leaves out, where that makes a stable loop unstable.
+    /// The place outside of the scene's linear part where a stable loop is not stable, if there is one.
     fn write_elsewhere(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let part = LinearPart::of(&self.scene).ok().filter(|part| part.spectral_radius() < 1.0);
         match part.and_then(|part| part.unstable_elsewhere(&self.scene)) {
