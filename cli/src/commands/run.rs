@@ -68,6 +68,10 @@ pub(crate) struct Run {
         requires = "against"
     )]
     scale: Vec<Scale>,
+    /// The rows by which the log's force acts late, as that of a command does; identify tells them.
+    #[arg(long, value_name = "ROWS", default_value_t = 0, requires = "against",
+        value_parser = clap::value_parser!(u32).range(..=1000))]
+    late: u32,
     /// Say it as JSON.
     #[arg(long, conflicts_with = "quiet")]
     json: bool,
@@ -195,6 +199,7 @@ impl Run {
         let log = Source::read_by(path, true, |log, name| {
             Against::open(log, name, &self.columns, &self.scale, start)
         })?;
+        let log = log.late(self.late);
         Ok((log.started(&scene).map_err(End::input)?, Some(log)))
     }
 

@@ -47,7 +47,7 @@ fn a_coordinate_is_no_axis_and_the_error_says_so() {
         ("initial.position", "initial.position"),
     ] {
         let axis = format!("{key}=0..1:3");
-        let words = [&format!("`{list}` is a list")[..], "coordinates cannot be mapped"];
+        let words = [&format!("`{list}` is a list")[..], "lists cannot be mapped"];
         place.refuses(["map", "plane.toml", "--x", &axis], &words);
     }
 }

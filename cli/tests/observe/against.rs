@@ -69,6 +69,21 @@ fn against(scene: &str, log: &str, more: &[&str]) -> Value {
 const QUANTITIES: [&str; 3] = ["position", "velocity", "force"];
 const VELOCITY: [&str; 2] = ["--columns", "t,x,f_act,v"];
 
+/// The commands of a loop whose force acts two ticks late are, two rows later, what acts.
+#[test]
+fn a_late_force_is_laid_over_what_acts_then() {
+    let place = Place::new();
+    let scene = shipped("delay");
+    let (_, rows) = place.rows(&scene);
+    let commands = ["--columns", "t,x,f_out,v"];
+    let off = |more: &[&str]| {
+        let told = against(&scene, &rows, &[&commands[..], more].concat());
+        told["force"]["rms"].as_f64().unwrap()
+    };
+    assert!(off(&[]) > 1.0 && off(&["--late", "1"]) > 0.5);
+    assert_eq!(off(&["--late", "2"]), 0.0);
+}
+
 #[test]
 fn a_run_differs_from_its_own_rows_by_nothing() {
     let place = Place::new();

@@ -71,14 +71,14 @@ fn late(recording: &Recording, device: &Device, wall: Option<&Wall>) -> Option<S
     match (acts, answers) {
         (0, 0) => None,
         (acts, 0) => Some(format!(
-            "f acts {} late; the scene has that delay, and observe needs --late {acts}",
+            "f acts {} late; the scene has that delay, and observe and run --against need --late {acts}",
             rows(acts)
         )),
         (0, answers) => {
             Some(format!("the wall answers {} late; the scene has that delay", rows(answers)))
         }
         _ => Some(format!(
-            "f acts {} late and the wall answers {} late; the scene has the delay of both, and observe needs --late {acts}",
+            "f acts {} late and the wall answers {} late; the scene has the delay of both, and observe and run --against need --late {acts}",
             rows(acts),
             rows(answers)
         )),

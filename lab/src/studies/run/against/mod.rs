@@ -6,6 +6,7 @@ mod difference;
 mod laid;
 mod picture;
 
+use std::collections::VecDeque;
 use std::io::Read;
 
 use serde::Serialize;
@@ -45,6 +46,9 @@ pub struct Against<R> {
     log: Log<R>,
     name: String,
     start: Start,
+    /// Rows by which the log's force acts late, and the forces that do not act yet.
+    late: usize,
+    under_way: VecDeque<f64>,
     first: Sample,
     pending: Option<Sample>,
     bad: BadRows,
@@ -99,6 +103,8 @@ impl<R: Read> Against<R> {
             log,
             name: name.to_owned(),
             start,
+            late: 0,
+            under_way: VecDeque::new(),
             first,
             pending: Some(first),
             bad,
@@ -112,6 +118,12 @@ impl<R: Read> Against<R> {
             steps: Vec::new(),
             overlay: Overlay::new(),
         })
+    }
+
+    /// The same for a log whose force acts as many `rows` late, as that of a command does: it is laid over the force that acts then.
+    #[must_use]
+    pub fn late(self, rows: u32) -> Self {
+        Self { late: rows as usize, ..self }
     }
 
     /// `scene` with the start of this comparison.
@@ -247,6 +259,11 @@ impl<R: Read> Against<R> {
             log.velocity = over(|last| last.log.position, log.position);
             scene.velocity = over(|last| last.scene.position, scene.position);
         }
+        self.under_way.push_back(row.f);
+        let acts = (self.under_way.len() > self.late).then(|| self.under_way.pop_front());
+        if let Some(force) = acts.flatten() {
+            log.force = force;
+        }
         let pair = Pair { time, log, scene };
         self.signs.add(&Sample { t: time, ..*row });
         if let Some(last) = self.last
@@ -256,12 +273,15 @@ impl<R: Read> Against<R> {
         }
         let [position, velocity, force] = &mut self.meters;
         position.add(time, log.position, scene.position);
-        // Without a column of its own the first row has no velocity.
-        if self.has_velocity || self.last.is_some() {
+        // Without a column of its own the first row has no velocity, and what acts on the first rows of a late force is not logged.
+        let known = [true, self.has_velocity || self.last.is_some(), acts.is_some()];
+        if known[1] {
             velocity.add(time, log.velocity, scene.velocity);
         }
-        force.add(time, log.force, scene.force);
-        self.overlay.add(&pair, self.has_velocity || self.last.is_some());
+        if known[2] {
+            force.add(time, log.force, scene.force);
+        }
+        self.overlay.add(&pair, known);
         self.from.get_or_insert(time);
         self.last = Some(pair);
         self.rows += 1;

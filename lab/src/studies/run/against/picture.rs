@@ -19,7 +19,8 @@ impl Overlay {
         Self { curves: [both(), both(), both()] }
     }
 
-    pub(super) fn add(&mut self, pair: &Pair, has_velocity: bool) {
+    /// Adds a row, of which these curves are `known`.
+    pub(super) fn add(&mut self, pair: &Pair, known: [bool; 3]) {
         let Pair { time, log, scene } = pair;
         let values = [
             [scene.position, log.position],
@@ -27,10 +28,9 @@ impl Overlay {
             [scene.force, log.force],
         ];
         for (index, (curves, values)) in self.curves.iter_mut().zip(values).enumerate() {
-            if index == 1 && !has_velocity {
-                continue;
+            if known[index] {
+                curves.iter_mut().zip(values).for_each(|(curve, value)| curve.add(*time, value));
             }
-            curves.iter_mut().zip(values).for_each(|(curve, value)| curve.add(*time, value));
         }
     }
 }
