@@ -134,10 +134,12 @@ impl LinearPart {
     /// The worst of what this part of `scene` leaves out, the environment where it is steepest and each later grip, and the spectral
     /// radius there; none where all of it is stable.
     pub(crate) fn unstable_elsewhere(self, scene: &Scene) -> Option<(String, f64)> {
-        let own = (String::new(), self.environment);
-        let steepest = scene.environment.kind().steepest().unwrap_or(self.environment);
-        let words =
-            format!(" where the environment is steepest, {} N/m", given(steepest.stiffness));
+        let mut places = vec![(String::new(), self.environment)];
+        let steepest = scene.environment.kind().steepest();
+        if let Some(steepest) = steepest.filter(|it| *it != self.environment) {
+            let stiffness = given(steepest.stiffness);
+            places.push((format!(" where the environment is steepest, {stiffness} N/m"), steepest));
+        }
         let mut hands = vec![(String::new(), self.operator)];
         if let Some(grip) = &scene.operator.grip {
             let rows = grip.times.iter().zip(&grip.stiffness).zip(&grip.damping);
@@ -147,12 +149,11 @@ impl LinearPart {
                 (words, Impedance { stiffness, damping, ..self.operator })
             }));
         }
-        let pairs = [own, (words, steepest)].into_iter().flat_map(|(words, environment)| {
-            let of = |(hand, operator): &(String, _)| {
-                let part = Self { environment, operator: *operator, ..self };
-                (format!("{words}{hand}"), part.spectral_radius())
-            };
-            hands.iter().map(of).collect::<Vec<_>>()
+        let pairs = places.iter().flat_map(|(place, environment)| {
+            hands.iter().map(move |(hand, operator)| {
+                let part = Self { environment: *environment, operator: *operator, ..self };
+                (format!("{place}{hand}"), part.spectral_radius())
+            })
         });
         pairs.filter(|(_, radius)| *radius > 1.0).max_by(|one, other| one.1.total_cmp(&other.1))
     }
