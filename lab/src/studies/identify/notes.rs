@@ -48,7 +48,7 @@ fn pushed(device: &Device) -> Option<String> {
             "something pushes that the log does not hold, as a hand that moves or dry friction does, or f is logged late or with \
              fewer rows than the loop has ticks: from its first row the model follows the log within {whole}, over 32 rows and \
              with a constant force of their own within {short}; the numbers are those of the latter, and the intervals span both fits \
-             and are not of 95 %: under a hand that moves mass and spring come out low. The scene's hand stands still: for runs like the log give it its motion, \
+             and are not of 95 %: under a hand that moves mass and spring may come out low. The scene's hand stands still: for runs like the log give it its motion, \
              operator.motion, or a rest beyond the wall"
         ));
     }
