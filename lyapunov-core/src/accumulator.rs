@@ -4,6 +4,7 @@ use core::fmt::Debug;
 
 use simba::simd::{AutoF32x4, AutoF32x8, AutoF64x4, AutoF64x8};
 
+use crate::exact_sum::exact_sum;
 use crate::{DoubleDouble, ParameterError, Requirement, Scalar, Snapshot};
 
 /// A running sum of energies, J.
@@ -106,7 +107,7 @@ impl<T: Scalar> Snapshot for Plain<T> {
 }
 
 /// Two numbers of the port's own scalar: the sum and its accumulated rounding error, by the error-free sum
-/// of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2, theorem B).
+/// of two numbers (Knuth, The Art of Computer Programming, volume 2, section 4.2.2).
 ///
 /// ```
 /// use lyapunov_core::{Accumulator, Compensated, Plain};
@@ -134,15 +135,10 @@ impl<T: Scalar> Accumulator<T> for Compensated<T> {
 
     #[inline(always)]
     fn add(&mut self, term: T) {
-        let sum = self.sum + term;
-        let share = sum - self.sum;
-        let error = (self.sum - (sum - share)) + (term - share) + self.error;
+        let (sum, rounded) = exact_sum(self.sum, term);
         // The gathered error goes into the sum as soon as the sum can hold it. Errors that are only added up stop
         // growing, as any plain sum does; errors added with the next term are rounded off by it.
-        let whole = sum + error;
-        let share = whole - sum;
-        self.error = (sum - (whole - share)) + (error - share);
-        self.sum = whole;
+        (self.sum, self.error) = exact_sum(sum, rounded + self.error);
     }
 
     #[inline(always)]

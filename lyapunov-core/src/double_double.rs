@@ -4,6 +4,7 @@ use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use num_traits::{One, Zero};
 
+use crate::exact_sum::exact_sum;
 use crate::one_axis;
 use crate::{Scalar, Signal};
 
@@ -38,9 +39,8 @@ impl DoubleDouble {
     /// `a + b` without rounding.
     #[inline]
     pub fn sum_of(a: f64, b: f64) -> Self {
-        let high = a + b;
-        let share = high - a;
-        Self { high, low: sound((a - (high - share)) + (b - share)) }
+        let (high, low) = exact_sum(a, b);
+        Self { high, low: sound(low) }
     }
 
     /// `a b` without rounding.

@@ -120,11 +120,10 @@ impl<S: ?Sized> StabilizerExt for alloc::boxed::Box<S> {}
 /// A stabilizer that is lent keeps what it sums.
 ///
 /// ```
-/// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};
+/// use lyapunov_core::{PortEnergy, PortSample, Stabilizer};
 /// use lyapunov_stabilizers::{Account, DampingLimit, Popc, StabilizerExt};
-/// let mut popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?);
-/// let sample = HeldTick { period: 1e-3, position: 0.0, velocity: 0.1, displacement: 1e-4, applied: 3.0 }.sample();
-/// (&mut popc).bounded(1e-4)?.stabilize(&sample, 3.0);
+/// let mut popc = Popc::new(PortEnergy, DampingLimit::of_mass(0.5, 0.2, 1e-3)?).budgeted(3e-4)?;
+/// (&mut popc).bounded(1e-4)?.stabilize(&PortSample::starting(1e-3, 0.0, 0.0), 0.0);
 /// assert_eq!(popc.observed_energy(), 1e-4);
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```

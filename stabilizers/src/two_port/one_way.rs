@@ -1,7 +1,7 @@
 //! The account of one side of a link.
 
 use lyapunov_core::{
-    LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
+    LyapunovCandidate, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, exact_sum,
 };
 
 /// Energy that the other side reported as absorbed, less what the channel gave, plus what the correction dissipated:
@@ -49,10 +49,8 @@ impl<V: Signal> LyapunovCandidate<V> for OneWay<V> {
         // What is not a number is left out, and what was received must not be lost with it.
         let sound = burnt.finite();
         let came = crossed.larger(zero);
-        let total = self.absorbed + came;
-        // What the total rounds off stays with this side, to the bit (Knuth's sum of two numbers): told or kept, and never both.
-        let share = total - self.absorbed;
-        let kept = (self.absorbed - (total - share)) + (came - share);
+        // What the total rounds off stays with this side, to the bit: told or kept, and never both.
+        let (total, kept) = exact_sum(self.absorbed, came);
         let told = sound & kept.finite();
         self.absorbed = V::Scalar::choose(told, total, self.absorbed);
         let kept = V::Scalar::choose(told, kept, zero);
