@@ -37,7 +37,7 @@ pub(crate) struct Hard {
     ///
     /// The first scene that breaks one is made as small as it can be and written as soak.toml into the folder of `--out`
     /// or else this one.
-    #[arg(long, value_name = "N", value_parser = soak::minutes)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = soak::minutes)]
     minutes: Option<Duration>,
     /// The seed of random scenes: case k of a seed is always the same.
     #[arg(long, value_name = "N", default_value_t = 1, requires = "minutes")]

@@ -55,7 +55,8 @@ pub(crate) struct Observe {
     contact: Option<f64>,
     /// The rows by which the force acts later than its own, as where the log holds commands and the motor is late; identify
     /// tells them. The first rows, on which forces from before the log act, are left out.
-    #[arg(long, value_name = "ROWS", default_value_t = 0, value_parser = clap::value_parser!(u32).range(..=1000))]
+    #[arg(long, value_name = "ROWS", default_value_t = 0, allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(..=1000))]
     late: u32,
     /// Ask these stabilizers what they would have done on the recorded motion, by name, or all; docs/family.md has the
     /// names. Had one acted, the motion would have been another.

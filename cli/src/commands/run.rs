@@ -69,7 +69,7 @@ pub(crate) struct Run {
     )]
     scale: Vec<Scale>,
     /// The rows by which the log's force acts late, as that of a command does; identify tells them.
-    #[arg(long, value_name = "ROWS", default_value_t = 0, requires = "against",
+    #[arg(long, value_name = "ROWS", default_value_t = 0, allow_negative_numbers = true, requires = "against",
         value_parser = clap::value_parser!(u32).range(..=1000))]
     late: u32,
     /// Say it as JSON.
