@@ -101,11 +101,13 @@ fn a_tank_hands_out_its_energy_or_its_power() {
         let mut tank = Tank::new(PortEnergy, store).expect("a tank");
         tank.stabilize(&at(velocity, 0.0), effort).effort
     };
-    // 4 J over a quarter of a second are 16 W.
-    for (effort, velocity, given) in
-        [(8.0, -2.0, 8.0), (10.0, -2.0, 8.0), (-64.0, 4.0, -4.0), (64.0, 4.0, 64.0)]
-    {
-        assert_eq!(out(store, effort, velocity), given);
+    for (effort, velocity) in [(7.9, -2.0), (64.0, 4.0)] {
+        assert_eq!(out(store, effort, velocity), effort);
+    }
+    // 4 J over a quarter of a second are 16 W, of which it keeps what a step may round.
+    for (effort, velocity, given) in [(8.0, -2.0, 8.0), (10.0, -2.0, 8.0), (-64.0, 4.0, -4.0)] {
+        let kept = (1.0 - out(store, effort, velocity) / given) / f64::EPSILON;
+        assert!((3.0..=5.0).contains(&kept), "{kept} epsilon of {given} N");
     }
     assert_eq!(out(TankLimits { power: 6.0, ..store }, 10.0, -2.0), 3.0);
     let mut tank = Tank::new(PortEnergy, store).expect("a tank");
