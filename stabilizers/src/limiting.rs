@@ -6,7 +6,9 @@ use lyapunov_core::{Correction, Scalar, Signal};
 /// the work that follows round on one axis.
 #[inline(always)]
 pub(crate) fn payable<T: Scalar>(energy: T) -> T {
-    energy.larger(T::of(0.0)) * (T::of(1.0) - T::of(4.0) * T::epsilon())
+    // 1 − 4 ε to the bit, written so that it is above 0 for whatever knows of ε only that it is small.
+    let kept = T::of(4.0) * (T::of(0.25) - T::epsilon());
+    energy.larger(T::of(0.0)) * kept
 }
 
 /// The correction of a stabilizer that limits efforts and adds no damping: the `limited` effort where it is accepted, else none. A
