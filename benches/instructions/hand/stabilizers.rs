@@ -117,7 +117,8 @@ macro_rules! stabilizers {
                 let filled = self.energy + if booked { work } else { 0.0 };
                 self.energy = if filled < self.room { filled } else { self.room };
                 let sum = self.energy;
-                let available = if sum > 0.0 { sum } else { 0.0 } / period;
+                let kept = 1.0 - 4.0 * <$real>::EPSILON;
+                let available = if sum > 0.0 { sum } else { 0.0 } * kept / period;
                 let most = if available < self.power { available } else { self.power };
                 let given = -(force * velocity);
                 let factor = if given > most { most / given } else { 1.0 };
