@@ -134,28 +134,33 @@ impl LinearPart {
     /// The worst of what this part of `scene` leaves out, the environment where it is steepest and each later grip, and the spectral
     /// radius there; none where all of it is stable.
     pub(crate) fn unstable_elsewhere(self, scene: &Scene) -> Option<(String, f64)> {
-        let mut places = vec![(String::new(), self.environment)];
-        let steepest = scene.environment.kind().steepest();
-        if let Some(steepest) = steepest.filter(|it| *it != self.environment) {
-            let stiffness = given(steepest.stiffness);
-            places.push((format!(" where the environment is steepest, {stiffness} N/m"), steepest));
+        let steepest = scene.environment.kind().steepest().unwrap_or(self.environment);
+        let grip = scene.operator.grip.as_ref();
+        let (mut worst, mut place) = (1.0, None);
+        for row in 0..=grip.map_or(0, |grip| grip.times.len()) {
+            let mut part = self;
+            if let (Some(grip), Some(row)) = (grip, row.checked_sub(1)) {
+                part.operator.stiffness = grip.stiffness[row].get();
+                part.operator.damping = grip.damping[row].get();
+            }
+            for environment in [self.environment, steepest] {
+                part.environment = environment;
+                let radius = part.spectral_radius();
+                if radius > worst {
+                    (worst, place) = (radius, Some((environment, row)));
+                }
+            }
         }
-        let mut hands = vec![(String::new(), self.operator)];
-        if let Some(grip) = &scene.operator.grip {
-            let rows = grip.times.iter().zip(&grip.stiffness).zip(&grip.damping);
-            hands.extend(rows.map(|((time, stiffness), damping)| {
-                let words = format!(" with the grip from {} s on", given(time.get()));
-                let (stiffness, damping) = (stiffness.get(), damping.get());
-                (words, Impedance { stiffness, damping, ..self.operator })
-            }));
+        let (environment, row) = place?;
+        let mut words = String::new();
+        if environment != self.environment {
+            let stiffness = given(environment.stiffness);
+            words = format!(" where the environment is steepest, {stiffness} N/m");
         }
-        let pairs = places.iter().flat_map(|(place, environment)| {
-            hands.iter().map(move |(hand, operator)| {
-                let part = Self { environment: *environment, operator: *operator, ..self };
-                (format!("{place}{hand}"), part.spectral_radius())
-            })
-        });
-        pairs.filter(|(_, radius)| *radius > 1.0).max_by(|one, other| one.1.total_cmp(&other.1))
+        if let (Some(grip), Some(row)) = (grip, row.checked_sub(1)) {
+            words += &format!(" with the grip from {} s on", given(grip.times[row].get()));
+        }
+        Some((words, worst))
     }
 
     /// Whether the run of `scene` is that of this part but for rounding, since the scene has nothing that the part leaves out.
