@@ -143,7 +143,7 @@ fn an_objective_that_the_scene_says_nothing_about_is_refused() {
     let spring = scene("environment.spring.stiffness = 100.0\n");
     let error = told(&spring, "settling,stiffness");
     assert!(error.contains("`stiffness` needs a wall"), "{error}");
-    assert!(error.ends_with("--objective: settling"), "{error}");
+    assert!(error.ends_with("another objective: settling"), "{error}");
     let moving =
         "environment.moving-wall = { stiffness = 100, amplitude = 0.001, frequency = 2 }\n";
     let error = told(&scene(moving), "force-error");

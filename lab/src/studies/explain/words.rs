@@ -63,8 +63,11 @@ impl Explanation {
                 if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
             let radius = near_one(radius, 8);
             writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius}")?;
+            let part = LinearPart::of(&self.scene).ok().filter(|_| what == "stable");
+            if let Some((place, radius)) = part.and_then(|it| it.unstable_elsewhere(&self.scene)) {
+                writeln!(f, "               not{place}: {}", near_one(radius, 8))?;
+            }
         }
-        self.write_elsewhere(f)?;
         if self.scene.dimensions() > 1 {
             writeln!(f, "{}", folded("  in space     ", IN_SPACE))?;
         }
@@ -88,15 +91,6 @@ impl Explanation {
         }
         let mut signs = self.look_at.iter();
         signs.try_for_each(|it| writeln!(f, "{}", folded("  look at      ", &it.text)))
-    }
-
-    /// The place outside of the scene's linear part where a stable loop is not stable, if there is one.
-    fn write_elsewhere(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let part = LinearPart::of(&self.scene).ok().filter(|part| part.spectral_radius() < 1.0);
-        match part.and_then(|part| part.unstable_elsewhere(&self.scene)) {
-            Some((place, radius)) => writeln!(f, "{:15}not{place}: {}", "", near_one(radius, 8)),
-            None => Ok(()),
-        }
     }
 
     fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
