@@ -134,6 +134,10 @@ impl LinearPart {
     /// The worst of what this part of `scene` leaves out, the environment where it is steepest and each later grip, and the spectral
     /// radius there; none where all of it is stable.
     pub(crate) fn unstable_elsewhere(self, scene: &Scene) -> Option<(String, f64)> {
+        // A program without every scalar, the page, has no room for it.
+        if !cfg!(feature = "every-scalar") {
+            return None;
+        }
         let steepest = scene.environment.kind().steepest().unwrap_or(self.environment);
         let grip = scene.operator.grip.as_ref();
         let (mut worst, mut place) = (1.0, None);
