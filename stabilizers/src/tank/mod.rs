@@ -56,7 +56,8 @@ impl<T: Scalar> TankLimits<T> {
 /// reported damping is 0.
 ///
 /// **Guarantee**: the port gives at most what it took and was credited and what was in the tank at the start,
-/// `start − floor`; the tank holds no more than its ceiling. **Assumed** is that the effort acts as given and that the
+/// `start − floor`, on one axis in computed numbers too, as what is there is rounded down by 4 ε; the tank holds no more
+/// than its ceiling. **Assumed** is that the effort acts as given and that the
 /// next displacement is between 0 and `v T`, on several axes a part of `v T`. Where the device moves farther or turns
 /// round, the account may fall below the floor: at `v` = 0.1 m/s an effort of 1 kN absorbs and passes unchanged, and a
 /// next displacement of −0.05 mm takes out 0.05 J, however little is in the tank. That much is reported as shortfall,

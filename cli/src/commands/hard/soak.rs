@@ -39,11 +39,8 @@ impl Hard {
                 .written_in(&scene, &[])
                 .map_err(|error| End::input(format_args!("{name}: {error}")))?,
             Some(member) => {
-                let lacks = format!(
-                    "{name}: the scene does not suit `{member}`, or lacks what it is set by"
-                );
                 return Err(End::input(format_args!(
-                    "{lacks}\n  = take another, or see docs/family.md"
+                    "{name}: does not suit `{member}`, or lacks what it is set by\n  = take another, or see docs/family.md"
                 )));
             }
         };

@@ -131,8 +131,8 @@ impl LinearPart {
         })
     }
 
-    /// The worst of what this part of `scene` leaves out, the environment where it is steepest and each later grip, and the spectral
-    /// radius there; none where all of it is stable.
+    /// The place, in words, and the spectral radius of the worst of what this part of `scene` leaves out: the environment
+    /// where it is steepest, and each later grip. None where all of it is stable.
     pub(crate) fn unstable_elsewhere(self, scene: &Scene) -> Option<(String, f64)> {
         // A program without every scalar, the page, has no room for it.
         if !cfg!(feature = "every-scalar") {

@@ -58,12 +58,13 @@ impl Explanation {
             writeln!(f, "  this run     {}", Felt(self.peak_force, self.force_error))?;
         }
         if let Some(radius) = self.limits.spectral_radius {
-            let what = if radius < 1.0 { "stable" } else { "not stable" };
+            let is_stable = radius < 1.0;
+            let what = if is_stable { "stable" } else { "not stable" };
             let alone =
                 if self.scene.stabilizer.is_some() { " without its stabilizer" } else { "" };
             let radius = near_one(radius, 8);
             writeln!(f, "  linear loop  {what} in contact{alone}: spectral radius {radius}")?;
-            let part = LinearPart::of(&self.scene).ok().filter(|_| what == "stable");
+            let part = LinearPart::of(&self.scene).ok().filter(|_| is_stable);
             if let Some((place, radius)) = part.and_then(|it| it.unstable_elsewhere(&self.scene)) {
                 writeln!(f, "               not{place}: {}", near_one(radius, 8))?;
             }

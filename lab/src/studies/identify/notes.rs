@@ -47,9 +47,9 @@ fn pushed(device: &Device) -> Option<String> {
         return Some(format!(
             "something pushes that the log does not hold, as a hand that moves or dry friction does, or f is logged late or with \
              fewer rows than the loop has ticks: from its first row the model follows the log within {whole}, over 32 rows and \
-             with a constant force of their own within {short}; the numbers are those of the latter, and the intervals span both fits \
-             and are not of 95 %: under a hand that moves mass and spring may come out low. The scene's hand stands still: for runs like the log give it its motion, \
-             operator.motion, or a rest beyond the wall"
+             with a constant force of their own within {short}; the numbers are those of the latter, and the intervals span both \
+             fits and are not of 95 %: under a hand that moves mass and spring may come out low. The scene's hand stands still: \
+             for runs like the log give it its motion, operator.motion, or a rest beyond the wall"
         ));
     }
     let steps = match device.unlike? {
@@ -78,7 +78,8 @@ fn late(recording: &Recording, device: &Device, wall: Option<&Wall>) -> Option<S
             Some(format!("the wall answers {} late; the scene has that delay", rows(answers)))
         }
         _ => Some(format!(
-            "f acts {} late and the wall answers {} late; the scene has the delay of both, and observe and run --against need --late {acts}",
+            "f acts {} late and the wall answers {} late; the scene has the delay of both, and observe and run --against need \
+             --late {acts}",
             rows(acts),
             rows(answers)
         )),

@@ -120,7 +120,8 @@ impl<R: Read> Against<R> {
         })
     }
 
-    /// The same for a log whose force acts as many `rows` late, as that of a command does: it is laid over the force that acts then.
+    /// The same for a log whose force acts as many `rows` late, as that of a command does: it is laid over the force that
+    /// acts then.
     #[must_use]
     pub fn late(self, rows: u32) -> Self {
         Self { late: rows as usize, ..self }
@@ -260,10 +261,8 @@ impl<R: Read> Against<R> {
             scene.velocity = over(|last| last.scene.position, scene.position);
         }
         self.under_way.push_back(row.f);
-        let acts = (self.under_way.len() > self.late).then(|| self.under_way.pop_front());
-        if let Some(force) = acts.flatten() {
-            log.force = force;
-        }
+        let acts = if self.under_way.len() > self.late { self.under_way.pop_front() } else { None };
+        log.force = acts.unwrap_or(log.force);
         let pair = Pair { time, log, scene };
         self.signs.add(&Sample { t: time, ..*row });
         if let Some(last) = self.last
@@ -273,7 +272,7 @@ impl<R: Read> Against<R> {
         }
         let [position, velocity, force] = &mut self.meters;
         position.add(time, log.position, scene.position);
-        // Without a column of its own the first row has no velocity, and what acts on the first rows of a late force is not logged.
+        // Without a column of its own the first row has no velocity; what acts on the first rows of a late force is not logged.
         let known = [true, self.has_velocity || self.last.is_some(), acts.is_some()];
         if known[1] {
             velocity.add(time, log.velocity, scene.velocity);
