@@ -73,13 +73,12 @@ import json, sys
 sys.path.insert(0, sys.argv[1])
 import franka_wire
 def run(name, stiffness):
-    for _ in range(5):  # A run that this machine was too late for tells nothing.
-        told = franka_wire.run(name, float(stiffness), 700)
-        if "communication" not in told[1] and told[2] > 0.9:
-            break
-    return told
-runs = [run(name, stiffness) for name, stiffness in zip(sys.argv[2::2], sys.argv[3::2])]
-print(json.dumps([(list(told), stopped, arrived) for told, stopped, arrived in runs]))
+    for _ in range(5):  # A run that this machine was too late for tells nothing: the loop then has a longer delay.
+        told, stopped, arrived = franka_wire.run(name, float(stiffness), 700)
+        if arrived == 1.0:
+            return list(told), stopped
+    raise SystemExit("SKIPPED: the wire: this machine is too busy for 1 kHz, commands were lost")
+print(json.dumps([run(name, stiffness) for name, stiffness in zip(sys.argv[2::2], sys.argv[3::2])]))
 """
 
 
@@ -94,11 +93,11 @@ def test_a_torque_loop_over_the_wire_stands_at_four_times_the_stiffness():
         ["unshare", "-n", "sh", "-c", command, sys.executable, "-c", WIRE, str(EXAMPLES), *words],
         capture_output=True, text=True, timeout=240,
     )
+    if "SKIPPED" in told.stderr:
+        pytest.skip(told.stderr.strip())
     assert told.returncode == 0, told.stderr
     runs = json.loads(told.stdout.splitlines()[-1])
-    if any(arrived < 0.9 or "communication" in stopped for _, stopped, arrived in runs):
-        pytest.skip("SKIPPED: the wire: this machine is too busy for 1 kHz, commands were lost")
-    for (energies, stopped, _), (name, stiffness) in zip(runs, zip(words[::2], words[1::2])):
+    for (energies, stopped), (name, stiffness) in zip(runs, zip(words[::2], words[1::2])):
         first, last = max(energies[:50]), max(energies[-100:])
         if name == "popc":
             assert not stopped and last < 1e-3 * first, (name, stiffness)
