@@ -34,6 +34,7 @@ mod correction;
 mod dissipation;
 mod double_double;
 mod dynamics;
+mod effort_range;
 mod exact_sum;
 mod integrator;
 pub mod lanes;
@@ -68,6 +69,8 @@ pub use correction::Correction;
 pub use dissipation::{Always, Dissipation, Gate, InContact};
 pub use double_double::DoubleDouble;
 pub use dynamics::Dynamics;
+#[doc(hidden)]
+pub use effort_range::EffortRange;
 pub use exact_sum::exact_sum;
 pub use integrator::Integrator;
 pub use ledger::{Held, Ledger, Sampled, Work};

@@ -2,7 +2,7 @@
 
 use super::{CheckedSample, Reading, Track, one_and_a_half};
 use crate::velocity::careful;
-use crate::{Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
+use crate::{EffortRange, Mask, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot};
 
 /// The last accepted position, and the time and the efforts since then.
 #[derive(Clone, Copy, Debug)]
@@ -14,8 +14,7 @@ pub(super) struct Memory<V: Signal> {
     /// Time since the last accepted reading, s; 0 unless some were rejected.
     gap: V::Scalar,
     /// The range of the efforts since then.
-    least: V,
-    most: V,
+    efforts: EffortRange<V>,
 }
 
 /// Reading that was looked at and is not yet remembered.
@@ -26,8 +25,7 @@ pub(super) struct Heard<V: Signal> {
     position: V,
     displacement: V,
     applied: V,
-    least: V,
-    most: V,
+    efforts: EffortRange<V>,
     work: V,
     jumped: <V::Scalar as Scalar>::Mask,
     late: <V::Scalar as Scalar>::Mask,
@@ -66,7 +64,7 @@ impl<V: Signal> Heard<V> {
 impl<V: Signal> Memory<V> {
     pub(super) fn empty() -> Self {
         let (none, zero) = (V::Scalar::of(0.0), V::zero());
-        Self { known: none, position: zero, gap: none, least: zero, most: zero }
+        Self { known: none, position: zero, gap: none, efforts: EffortRange::of(zero) }
     }
 
     pub(super) fn position(&self) -> V {
@@ -116,10 +114,10 @@ impl<V: Signal> Memory<V> {
         reading: Reading<V>,
     ) -> Heard<V> {
         let told = reading.applied.finite();
-        let applied = V::choose(told, reading.applied, self.least);
+        let applied = V::choose(told, reading.applied, self.efforts.least);
         let gap = self.gap.above(V::Scalar::of(0.0));
-        let least = V::choose(gap, self.least.zip(applied, Scalar::smaller), applied);
-        let most = V::choose(gap, self.most.zip(applied, Scalar::larger), applied);
+        let efforts =
+            EffortRange::choose(gap, self.efforts.with(applied), EffortRange::of(applied));
 
         let span = self.gap + elapsed;
         let late = span.above(one_and_a_half(period));
@@ -130,7 +128,7 @@ impl<V: Signal> Memory<V> {
         let far = P::too_far(fastest, displacement, span.larger(period));
         let here = reading.position.finite();
         let jumped = here & (far | !displacement.finite());
-        let work = least.times(displacement).zip(most.times(displacement), Scalar::smaller);
+        let work = efforts.least_work(displacement);
         let accepted = here & told & !jumped & work.finite();
         let first = accepted & !known;
         Heard {
@@ -139,8 +137,7 @@ impl<V: Signal> Memory<V> {
             position: reading.position,
             displacement,
             applied,
-            least,
-            most,
+            efforts,
             work,
             jumped,
             late,
@@ -158,8 +155,7 @@ impl<V: Signal> Memory<V> {
         self.known = V::Scalar::choose(known, V::Scalar::of(1.0), zero);
         self.position = V::choose(accepted, heard.position, self.position);
         self.gap = V::Scalar::choose(accepted | !known, zero, heard.span);
-        self.least = V::choose(accepted, applied, heard.least);
-        self.most = V::choose(accepted, applied, heard.most);
+        self.efforts = EffortRange::choose(accepted, EffortRange::of(applied), heard.efforts);
         let sample = PortSample {
             period: V::Scalar::choose(accepted, heard.span, heard.elapsed),
             position: self.position,
@@ -176,7 +172,7 @@ impl<V: Signal> Snapshot for Memory<V> {
     type State = (V::Scalar, V, V::Scalar, V, V);
 
     fn state(&self) -> Self::State {
-        (self.known, self.position, self.gap, self.least, self.most)
+        (self.known, self.position, self.gap, self.efforts.least, self.efforts.most)
     }
 
     fn restored(
@@ -191,6 +187,6 @@ impl<V: Signal> Snapshot for Memory<V> {
         let anew = known.above(V::Scalar::of(1.5));
         let known = V::Scalar::choose(known.above(V::Scalar::of(0.5)), one, zero);
         let known = V::Scalar::choose(anew, two, known);
-        Ok(Self { known, position, gap, least, most })
+        Ok(Self { known, position, gap, efforts: EffortRange { least, most } })
     }
 }

@@ -1,7 +1,7 @@
 //! Port of a real plant, from measurements of its state.
 
 use lyapunov_core::{
-    LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal, careful,
+    EffortRange, LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal, careful,
 };
 use nalgebra::SVector;
 
@@ -43,8 +43,7 @@ pub struct MeasuredPlant<P, F, T, const N: usize, const M: usize> {
     at: WithState<T, N, M>,
     flow: SVector<T, M>,
     /// The range of the efforts since then.
-    least: SVector<T, M>,
-    most: SVector<T, M>,
+    efforts: EffortRange<SVector<T, M>>,
 }
 
 impl<P, F, T, const N: usize, const M: usize> MeasuredPlant<P, F, T, N, M>
@@ -67,7 +66,8 @@ where
         let flow = plant.flow(&function, state);
         let none = SVector::zeros();
         let at = WithState { input: none, state };
-        Ok(Self { plant, function, period, gap: T::of(0.0), at, flow, least: none, most: none })
+        let efforts = EffortRange::of(none);
+        Ok(Self { plant, function, period, gap: T::of(0.0), at, flow, efforts })
     }
 
     /// The sample of the first tick.
@@ -91,15 +91,15 @@ where
         let integral = Signal::choose(known, integral, SVector::zeros());
         let at = WithState { input: before.input + integral, state };
         let sound = at.finite() & flow.finite() & input.finite();
-        let (least, most) = self.efforts(-input);
+        let efforts = self.efforts_with(-input);
         let mean = flow.zip(integral, |flow, moved| careful(flow, moved / gap));
         let late = sound & self.gap.above(T::of(0.0));
         let velocity = Signal::choose(late, mean, flow);
-        let work = least.times(integral).zip(most.times(integral), Scalar::smaller);
+        let work = efforts.least_work(integral);
         self.at = WithState::choose(sound, at, self.at);
         self.flow = Signal::choose(sound, flow, self.flow);
         self.gap = T::choose(sound | !known, T::of(0.0), gap);
-        (self.least, self.most) = (least, most);
+        self.efforts = efforts;
         PortSample {
             period: T::choose(sound, gap, self.period),
             position: at,
@@ -114,13 +114,11 @@ where
         }
     }
 
-    /// The least and the largest of the efforts since the last sound sample, `applied` included.
+    /// The range of the efforts since the last sound sample, `applied` included.
     #[inline]
-    fn efforts(&self, applied: SVector<T, M>) -> (SVector<T, M>, SVector<T, M>) {
-        let applied = Signal::choose(applied.finite(), applied, self.least);
+    fn efforts_with(&self, applied: SVector<T, M>) -> EffortRange<SVector<T, M>> {
+        let applied = Signal::choose(applied.finite(), applied, self.efforts.least);
         let missing = self.gap.above(T::of(0.0));
-        let least = applied.zip(self.least, Scalar::smaller);
-        let most = applied.zip(self.most, Scalar::larger);
-        (Signal::choose(missing, least, applied), Signal::choose(missing, most, applied))
+        EffortRange::choose(missing, self.efforts.with(applied), EffortRange::of(applied))
     }
 }

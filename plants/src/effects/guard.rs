@@ -1,7 +1,8 @@
 //! Rejection of bad samples in front of a port.
 
 use lyapunov_core::{
-    Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot, careful,
+    Correction, EffortRange, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal,
+    Snapshot, careful,
 };
 
 use crate::Fallback;
@@ -57,7 +58,7 @@ struct Gap<V: Signal> {
     work: V,
     moved: V,
     /// The range of the efforts that applied over the rest of the displacement, if any.
-    unknown: Option<(V, V)>,
+    unknown: Option<EffortRange<V>>,
 }
 
 impl<P, V: Signal> Guard<P, V> {
@@ -93,9 +94,8 @@ where
             gap.moved = gap.moved + sample.displacement;
         } else {
             let applied = if sample.applied.finite() { sample.applied } else { self.told };
-            let (least, most) = gap.unknown.unwrap_or((applied, applied));
-            gap.unknown =
-                Some((least.zip(applied, Scalar::smaller), most.zip(applied, Scalar::larger)));
+            let alone = EffortRange::of(applied);
+            gap.unknown = Some(gap.unknown.map_or(alone, |range| range.with(applied)));
         }
         self.gap = Some(gap);
     }
@@ -129,8 +129,7 @@ where
             }
             None => (gap.moved + now.displacement, V::zero()),
         };
-        let (least, most) = gap.unknown.unwrap_or((V::zero(), V::zero()));
-        let unseen_work = least.times(unseen).zip(most.times(unseen), Scalar::smaller);
+        let unseen_work = gap.unknown.map_or(V::zero(), |range| range.least_work(unseen));
         let velocity =
             now.velocity.zip(displacement, |measured, moved| careful(measured, moved / period));
         PortSample { period, velocity, displacement, work: known + unseen_work, ..*now }
@@ -179,7 +178,9 @@ impl<P: Snapshot, V: Signal> Snapshot for Guard<P, V> {
 
     fn state(&self) -> Self::State {
         let Self { effort, told, period, position, gap, rejected, .. } = *self;
-        let gap = gap.map(|Gap { period, work, moved, unknown }| (period, work, moved, unknown));
+        let gap = gap.map(|Gap { period, work, moved, unknown }| {
+            (period, work, moved, unknown.map(|range| (range.least, range.most)))
+        });
         (self.port.state(), (effort, told), (period, position), gap, rejected)
     }
 
@@ -191,7 +192,10 @@ impl<P: Snapshot, V: Signal> Snapshot for Guard<P, V> {
         Requirement::Finite.check_axes("stored effort", told)?;
         Requirement::Finite.check("stored period", period)?;
         Requirement::Finite.check_axes("stored position", position.unwrap_or(told))?;
-        let gap = gap.map(|(period, work, moved, unknown)| Gap { period, work, moved, unknown });
+        let gap = gap.map(|(period, work, moved, unknown)| {
+            let unknown = unknown.map(|(least, most)| EffortRange { least, most });
+            Gap { period, work, moved, unknown }
+        });
         let port = self.port.restored(port)?;
         Ok(Self { port, effort, told, period, position, gap, rejected, ..self })
     }
