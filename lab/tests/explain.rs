@@ -157,6 +157,28 @@ fn every_remedy_holds() {
     assert!(remedies > 3 * scenes, "{remedies}");
 }
 
+/// A handle of 0.3 kg, late by a tick, against a wall without a damper.
+#[test]
+fn a_wall_gets_the_damper_with_which_its_run_settles() {
+    let with = |damping: f64| {
+        scene(&format!(
+            "duration = 4\nservo_rate = 1000\ndevice.mass = 0.3\neffects.delay.ticks = 1\n\
+             operator = {{ mass = 0.1, damping = 2, stiffness = 200, rest = 0.01 }}\n\
+             environment.wall = {{ stiffness = 2000, damping = {damping} }}\n"
+        ))
+    };
+    let explained = Explanation::of::<f64>(&with(0.0)).unwrap();
+    let key = "environment.wall.damping";
+    let found = explained.remedies.iter().find_map(|it| match it.changes[..] {
+        [(ref changed, Change::Number(damping))] if changed == key => Some(damping),
+        _ => None,
+    });
+    let damping = found.unwrap();
+    let last = Rollout::<f64>::of(&with(damping)).unwrap().rows().last().unwrap();
+    let rest = 200.0 * 0.01 / (200.0 + 2000.0);
+    assert_abs_diff_eq!(last.x, rest, epsilon = 0.05 * rest);
+}
+
 /// Late and clipped: the definitions could differ in what counts as contact.
 #[test]
 fn the_force_error_is_that_of_a_comparison() {

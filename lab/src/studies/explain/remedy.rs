@@ -73,8 +73,13 @@ impl Search<'_> {
         let Ok(bare) = (Draft { stabilizer: None, ..scene.to_draft() }).check() else {
             return Vec::new();
         };
-        let plain =
-            [exactly(&bare, self), softer(&bare, self), faster(&bare, self), damped(&bare, self)];
+        let plain = [
+            exactly(&bare, self),
+            softer(&bare, self),
+            faster(&bare, self),
+            damped_device(&bare, self),
+            damped_environment(&bare, self),
+        ];
         plain.into_iter().flatten().chain(stabilized(&bare, self)).collect()
     }
 
@@ -116,17 +121,17 @@ fn softer(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let (tree, name) = (toml::Value::try_from(scene).ok()?, scene.environment.name());
     let trials = (0..TRIALS).map(|trial| rounded_down(most / FURTHER.powi(trial)));
     trials.filter(|stiffness| *stiffness < own && *stiffness > 0.0).find_map(|stiffness| {
-        let softer = scene.remade(&with_stiffness(tree.clone(), name, stiffness)?).ok()?;
+        let softer = scene.remade(&with(tree.clone(), name, "stiffness", stiffness)?).ok()?;
         let key = format!("environment.{name}.stiffness");
         search.tried(softer, vec![(key, Change::Number(stiffness))])
     })
 }
 
-/// The tree of a scene with another stiffness of its environment; none of layers, whose stiffness is a list.
-fn with_stiffness(mut tree: toml::Value, name: &str, stiffness: f64) -> Option<toml::Value> {
-    let written = tree.get_mut("environment")?.get_mut(name)?.get_mut("stiffness")?;
+/// The tree of a scene with another number of its environment; none where it is no single number, as the stiffness of layers.
+fn with(mut tree: toml::Value, name: &str, key: &str, number: f64) -> Option<toml::Value> {
+    let written = tree.get_mut("environment")?.get_mut(name)?.get_mut(key)?;
     written.as_float()?;
-    *written = stiffness.into();
+    *written = number.into();
     Some(tree)
 }
 
@@ -166,22 +171,42 @@ fn faster(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     })
 }
 
+/// The least damping of the environment with which the linear part of a loop holds and its run settles: a plant that bounces on a
+/// damper is driven by it.
+fn damped_environment(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
+    LinearPart::of(scene).ok()?;
+    let (tree, name) = (toml::Value::try_from(scene).ok()?, scene.environment.name());
+    let own = tree.get("environment")?.get(name)?.get("damping")?.as_float()?;
+    let at = |damping: f64| scene.remade(&with(tree.clone(), name, "damping", damping)?).ok();
+    let search = Search { goal: Goal::Settled, ..*search };
+    damped(scene, &search, format!("environment.{name}.damping"), own, at)
+}
+
 /// The least damping of the device with which the loop holds.
-fn damped(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
-    let own = scene.device.damping.get();
-    // Starts from zero damping too: a share of the damping that stops the mass within a period.
-    let unit = 1e-6 * scene.port_mass() / scene.period();
+fn damped_device(scene: &Scene, search: &Search<'_>) -> Option<Remedy> {
     let at = |damping: f64| {
         let mut damped = scene.to_draft();
         damped.device.damping = NonNegative::new(damping).ok()?;
         damped.check().ok()
     };
+    damped(scene, search, "device.damping".to_owned(), scene.device.damping.get(), at)
+}
+
+/// The least damping above its `own` with which the scene `at` it holds.
+fn damped(
+    scene: &Scene,
+    search: &Search<'_>,
+    key: String,
+    own: f64,
+    at: impl Fn(f64) -> Option<Scene>,
+) -> Option<Remedy> {
+    // Starts from zero damping too: a share of the damping that stops the mass within a period.
+    let unit = 1e-6 * scene.port_mass() / scene.period();
     let holds = |factor: f64| at(own + unit * (factor - 1.0)).is_some_and(|scene| decays(&scene));
     let least = own + unit * (lowest(holds, 1e12)? - 1.0);
     (0..TRIALS).find_map(|trial| {
         let damping = rounded_up(least / MARGIN * FURTHER.powi(trial));
-        let change = vec![("device.damping".to_owned(), Change::Number(damping))];
-        search.tried(at(damping)?, change)
+        search.tried(at(damping)?, vec![(key.clone(), Change::Number(damping))])
     })
 }
 
@@ -195,7 +220,7 @@ fn stabilized(scene: &Scene, search: &Search<'_>) -> Vec<Remedy> {
     };
     let named =
         |key: &str, cap: f64| (format!("stabilizer.{key}.damping_cap"), Change::Number(cap));
-    let with = |key: &'static str, make: &dyn Fn(Cap) -> Stabilizer| {
+    let tried = |key: &'static str, make: &dyn Fn(Cap) -> Stabilizer| {
         let default = rounded_down(scene.default_cap());
         let below = CAPS.into_iter().filter(|cap| *cap < default);
         iter::once(default).chain(below).find_map(|cap| {
@@ -209,7 +234,7 @@ fn stabilized(scene: &Scene, search: &Search<'_>) -> Vec<Remedy> {
             search.tried(draft.check().ok()?, changes)
         })
     };
-    [with("popc", &popc), with("lolc", &lolc)].into_iter().flatten().collect()
+    [tried("popc", &popc), tried("lolc", &lolc)].into_iter().flatten().collect()
 }
 
 /// Whether the linear part of a scene decays; without a linear part the run has to decide.
