@@ -83,8 +83,9 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 ///
 /// The side is a hand or a robot: when its `V` falls, the port absorbed. It is the other side of [`PortEnergy`], which
 /// counts what the environment stores as positive; the energy of a virtual spring at the port therefore goes in with a
-/// minus sign. Where `V` is not finite, the last finite value is kept, so that the next finite one spans the gap; in a
-/// sum of terms only this term does so. The first finite value, where the one at the start is not, decreases by 0.
+/// minus sign. Where `V` or a number of the sample is not finite, the decrease is NaN and the last finite value is kept, so that the
+/// next finite one spans the gap; in a sum of terms only this term does so. The first finite value, where the one at the start is
+/// not, decreases by 0.
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -101,19 +102,16 @@ pub struct StorageFunction<F, T> {
     last: T,
 }
 
-/// `energy`, or NaN where it is not finite.
-fn known<T: Scalar>(energy: T) -> T {
-    T::choose(energy.finite(), energy, T::of(f64::NAN))
-}
-
 impl<F, T: Scalar> StorageFunction<F, T> {
     /// The candidate `function`, counted from the state in which the loop starts.
     pub fn starting<V: Signal<Scalar = T>>(function: F, position: V, velocity: V) -> Self
     where
         F: Fn(V, V) -> T,
     {
-        let last = known(function(position, velocity));
-        Self { last, function }
+        let last = function(position, velocity);
+        // A function may hide a NaN, as the larger of two numbers does.
+        let known = position.finite() & velocity.finite() & last.finite();
+        Self { last: T::choose(known, last, T::of(f64::NAN)), function }
     }
 }
 
@@ -125,6 +123,8 @@ where
     #[inline(always)]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let now = (self.function)(sample.position, sample.velocity);
+        // A missed reading stands still at the last position, which is no state that the side was in.
+        let now = V::Scalar::choose(sample.finite(), now, V::Scalar::of(f64::NAN));
         let decrease = V::Scalar::choose(self.last.finite(), self.last, now) - now;
         self.last = V::Scalar::choose(now.finite(), now, self.last);
         decrease

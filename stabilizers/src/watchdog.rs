@@ -29,7 +29,7 @@ impl<T: Scalar> WatchdogTimes<T> {
 ///
 /// ```text
 /// silence(n) = silence(n−1) + T                         where the sample or the correction is not accepted, else 0
-/// F(n)       = F(n−1)  while silence ≤ hold,  0  beyond
+/// F(n)       = F(n−1)  while silence ≤ hold + T / 16,  0  beyond: the sum is rounded, and a hold of n periods is one of n ticks
 /// share(n)   = min(1, risen(n) / rise),   risen(n) = risen(n−1) + max(0, T − silence(n−1)),  from 0 at the start and at
 ///              each release: a sample that spans a gap has the time of the silence in it
 /// F(n)       = what the stabilizer inside makes of share · f,  where accepted
@@ -99,7 +99,8 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Watchdog<S, V> {
         let endless = V::Scalar::largest();
         let quiet = choose(known, sample.period, endless);
         self.silence = choose(accepted, zero, (self.silence + quiet).smaller(endless));
-        let held = !self.silence.above(hold);
+        let rounding = quiet * V::Scalar::of(1.0 / 16.0);
+        let held = !self.silence.above(hold + rounding);
         self.risen = choose(accepted, risen, choose(held, self.risen, zero));
         let fallback = V::choose(held, self.effort, V::zero());
         self.effort = V::choose(accepted, correction.effort, fallback);

@@ -3,8 +3,11 @@
 use proptest::prelude::any;
 use proptest::{prop_assert, prop_assert_eq, proptest};
 
+use approx::assert_abs_diff_eq;
 use lyapunov::{
-    DampingLimit, Mask, MovingReading, Popc, PortEnergy, Reading, Sampled, Scalar, Stabilizer,
+    DampingLimit, Lolc, LyapunovCandidate, Mask, MovingReading, Popc, PortEnergy, PortSample,
+    Reading, Sampled, Scalar, Stabilizer, StorageFunction,
+    stabilizers::{Account, ReferenceDamper},
 };
 
 use crate::support::{Dice, PERIOD, reading, readings};
@@ -163,4 +166,42 @@ fn gaps_are_per_lane() {
         let way = if gap { 0.5 } else { 0.25 };
         assert_eq!(found.sample.work.lane(lane), way * (lane + 1) as f64);
     }
+}
+
+/// A storage function telescopes over missed readings: what is summed is the start's energy less the end's.
+#[test]
+fn a_storage_function_telescopes_over_a_gap() {
+    let energy = |_: f64, v: f64| 0.5 * 0.3 * v * v;
+    let mut alone =
+        Lolc::new(StorageFunction::starting(energy, 0.0, 0.0), DampingLimit::at(0.0).unwrap());
+    let mut readings = readings();
+    let (mut position, mut rejected) = (0.0, 0);
+    for tick in 0..1000 {
+        position += 64.0 * COUNT * PERIOD;
+        let told = if tick % 5 == 4 {
+            readings.missed(0.0)
+        } else {
+            readings.read(reading(position, 0.0))
+        };
+        let correction = alone.stabilize(&told.sample, 0.0);
+        assert_eq!(correction.accepted, told.accepted);
+        rejected += u32::from(!correction.accepted);
+    }
+    assert_eq!(rejected, 200);
+    let v: f64 = 64.0 * COUNT;
+    assert_abs_diff_eq!(alone.observed_energy(), -0.5 * 0.3 * v * v, epsilon = 1e-15);
+}
+
+/// The reference of a wall whose start is unknown begins with the first reading, and dissipates nothing before.
+#[test]
+fn a_reference_that_starts_unknown_owes_nothing() {
+    let depth = |x: f64| x.max(0.0);
+    let mut damper = ReferenceDamper::starting(2.0, depth, f64::NAN).unwrap();
+    let at = |x: f64| PortSample::starting(1e-3, x, 0.0);
+    assert_eq!(damper.decrease(&at(0.1)), 0.0);
+    assert_abs_diff_eq!(damper.decrease(&at(0.101)), -2.0 * 1e-3, epsilon = 1e-15);
+    // A sample with a NaN is passed over, and the next one spans it.
+    let missed = PortSample { work: f64::NAN, ..at(0.2) };
+    assert_eq!(damper.decrease(&missed), 0.0);
+    assert_abs_diff_eq!(damper.decrease(&at(0.102)), -2.0 * 1e-3, epsilon = 1e-15);
 }

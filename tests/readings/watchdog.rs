@@ -1,7 +1,7 @@
 //! The watchdog: holding, letting go, coming back.
 
 use lyapunov::{
-    Correction, DampingLimit, Lolc, Popc, PortEnergy, PortSample, Sampled, Stabilizer,
+    Correction, DampingLimit, Lolc, Popc, PortEnergy, PortSample, Sampled, Scalar, Stabilizer,
     laws::{self, Samples},
     stabilizers::{NoStabilizer, StabilizerExt, Watchdog, WatchdogTimes},
 };
@@ -80,6 +80,25 @@ fn an_unknown_time_ends_the_hold() {
     for period in [f64::NAN, f64::INFINITY, -1.0] {
         let timeless = PortSample { period, work: f64::NAN, ..still(0.0) };
         assert_eq!({ dog }.stabilize(&timeless, 5.0).effort, 0.0, "{period}");
+    }
+}
+
+/// A hold of so many periods is one of so many ticks, whatever they sum to.
+#[test]
+fn a_hold_lasts_as_many_ticks_as_it_has_periods() {
+    fn held<T: Scalar>(ticks: u16) -> u16 {
+        let period = T::of(1e-3);
+        let times = WatchdogTimes { hold: T::of(f64::from(ticks) * 1e-3), rise: T::of(0.0) };
+        let mut dog = NoStabilizer.watched::<T>(times).expect("times");
+        let sound = PortSample::starting(period, T::of(0.0), T::of(0.0));
+        let unsound = PortSample { work: T::of(f64::NAN), ..sound };
+        dog.stabilize(&sound, T::of(5.0));
+        let efforts = (0..ticks + 3).map(|_| dog.stabilize(&unsound, T::of(0.0)).effort.lane(0));
+        efforts.map(|effort| u16::from(effort == 5.0)).sum()
+    }
+    for ticks in 0..1000 {
+        assert_eq!(held::<f64>(ticks), ticks);
+        assert_eq!(held::<f32>(ticks), ticks);
     }
 }
 

@@ -27,7 +27,8 @@ use crate::{PortSample, Scalar, Signal};
 )]
 pub struct CheckedSample<V: Signal> {
     /// The sample, for a controller and a stabilizer. Where the reading was not accepted it stands still at the last
-    /// position, and its work is NaN, so that a stabilizer rejects it.
+    /// position, and its work is NaN, so that a stabilizer rejects it; over sampled work, which is made of effort and velocity, it
+    /// books nothing.
     pub sample: PortSample<V>,
     /// Where the reading was accepted.
     pub accepted: <V::Scalar as Scalar>::Mask,

@@ -8,13 +8,19 @@ use lyapunov_core::{
 /// least over a tick, J.
 ///
 /// Whatever the motion within the tick, `b ∫ |ṗ|² dt ≥ b |Δp|² / T`, so that the reference asks for no more than an
-/// ideal environment takes. Of a wall `p` is the depth, 0 outside. A deformation that is not finite is passed over, and
-/// so is one that the term has no room for.
+/// ideal environment takes. Of a wall `p` is the depth, 0 outside. A sample or a deformation that is not finite is passed over, and
+/// so is one that the term has no room for. The first finite deformation, where the one at the start is not, dissipates nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct ReferenceDamper<F, V: Signal> {
     damping: V::Scalar,
     deformation: F,
     last: V,
+}
+
+/// `deformation` in the lanes of the mask, and NaN elsewhere.
+#[inline]
+fn known<V: Signal>(mask: <V::Scalar as Scalar>::Mask, deformation: V) -> V {
+    V::choose(mask, deformation, V::splat(V::Scalar::of(f64::NAN)))
 }
 
 impl<F: Fn(V) -> V, V: Signal> ReferenceDamper<F, V> {
@@ -29,14 +35,15 @@ impl<F: Fn(V) -> V, V: Signal> ReferenceDamper<F, V> {
     ) -> Result<Self, ParameterError> {
         let damping = Requirement::NonNegative.check("reference damping", damping)?;
         let last = deformation(position);
-        Ok(Self { damping, last: V::choose(last.finite(), last, V::zero()), deformation })
+        let last = known(position.finite() & last.finite(), last);
+        Ok(Self { damping, last, deformation })
     }
 }
 
 impl<V: Signal, F: Fn(V) -> V> LyapunovCandidate<V> for ReferenceDamper<F, V> {
     #[inline]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
-        let now = (self.deformation)(sample.position);
+        let now = known(sample.finite(), (self.deformation)(sample.position));
         let deformed = now - self.last;
         self.last = V::choose(now.finite(), now, self.last);
         let burnt = self.damping * (deformed.inner(deformed) / sample.period);
@@ -53,6 +60,6 @@ impl<F, V: Signal> Snapshot for ReferenceDamper<F, V> {
     }
 
     fn restored(self, last: V) -> Result<Self, ParameterError> {
-        Ok(Self { last: Requirement::Finite.check_axes("stored deformation", last)?, ..self })
+        Ok(Self { last: Requirement::Finite.check_known("stored deformation", last)?, ..self })
     }
 }
