@@ -187,7 +187,10 @@ impl Div for DoubleDouble {
         let rest = self - other * Self { high: first, low: 0.0 };
         let second = rest.high / other.high;
         let rest = rest - other * Self { high: second, low: 0.0 };
-        Self::normalized(first, second) + Self { high: rest.high / other.high, low: 0.0 }
+        let quotient =
+            Self::normalized(first, second) + Self { high: rest.high / other.high, low: 0.0 };
+        // Beside the largest number the remainders are out of range.
+        if quotient.high.is_finite() { quotient } else { Self { high: first, low: 0.0 } }
     }
 }
 

@@ -90,6 +90,12 @@ impl<W: Work, A> Ledger<W, A> {
         Self { sum, work: PhantomData }
     }
 
+    /// The same sum, of another kind of work.
+    #[must_use]
+    pub fn over<X: Work>(self) -> Ledger<X, A> {
+        Ledger::in_sum(self.sum)
+    }
+
     /// The observed energy, J.
     #[inline]
     pub fn energy<T: Scalar>(&self) -> T

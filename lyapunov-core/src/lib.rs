@@ -71,7 +71,7 @@ pub use double_double::DoubleDouble;
 pub use dynamics::Dynamics;
 #[doc(hidden)]
 pub use effort_range::EffortRange;
-pub use exact_sum::exact_sum;
+pub use exact_sum::{exact_sum, exact_sums};
 pub use integrator::Integrator;
 pub use ledger::{Held, Ledger, Sampled, Work};
 pub use lyapunov_function::LyapunovFunction;

@@ -34,9 +34,15 @@ impl<C, T: Scalar> Observer<C, Held, Plain<T>> {
 }
 
 impl<C, W: Work, A> Observer<C, W, A> {
-    /// The same candidate and observed energy, over another kind of work or in another sum.
+    /// The same candidate and sum, over another kind of work.
     #[must_use]
-    pub fn booking<X: Work, B: Accumulator<T>, T: Scalar>(self) -> Observer<C, X, B>
+    pub fn over<X: Work>(self) -> Observer<C, X, A> {
+        Observer { candidate: self.candidate, ledger: self.ledger.over() }
+    }
+
+    /// The same candidate and observed energy, in another sum.
+    #[must_use]
+    pub fn summed_in<T: Scalar, B: Accumulator<T>>(self) -> Observer<C, W, B>
     where
         A: Accumulator<T>,
     {

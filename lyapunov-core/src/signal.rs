@@ -29,7 +29,7 @@ pub trait Signal:
     /// `f` of the two, axis by axis.
     fn zip(self, other: Self, f: impl FnMut(Self::Scalar, Self::Scalar) -> Self::Scalar) -> Self;
 
-    /// The sum over the axes; of several, the sum of the even ones plus the sum of the odd ones.
+    /// The sum over the axes, in an order of the type's own: of a vector, the sum of the even ones plus the sum of the odd ones.
     fn sum(self) -> Self::Scalar;
 
     /// `yes` where `mask` is true, `no` elsewhere, on every axis. Both are evaluated.

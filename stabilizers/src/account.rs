@@ -13,6 +13,10 @@ use lyapunov_core::{Accumulator, Ledger, ParameterError, Requirement, Scalar, Wo
 /// | [`grant`](Self::grant) of `E` | `E` more: credit that nobody earned, and therefore has a name of its own |
 /// | [`owe`](Self::owe) of `D` | `D` less: a debt carried over, from another controller or an earlier run |
 ///
+/// A force that was given before acts on. Where a law bounds a force by what stands on its account, as
+/// [`EnergyBounding`](crate::EnergyBounding) and a delayed [`ForceBounding`](crate::ForceBounding) do, a force that is held or under way
+/// may still take what was there before a reset, which shows as a debt.
+///
 /// There is no way to set `L` to a number, since that would be one of these without saying which. Adaptors hand the
 /// calls on to the stabilizer inside. A [window of credit](crate::WindowedCredit) counts a grant or a debt as a tick.
 ///

@@ -25,6 +25,7 @@ mod directed_damping;
 mod energy_bounding;
 mod factors;
 mod force_bounding;
+mod hypotenuse;
 mod inertia;
 mod input_to_state;
 mod least_norm;

@@ -59,13 +59,13 @@ impl<T: Scalar, C, W: Work, A: Accumulator<T>> Lolc<T, C, W, A> {
     /// The same stabilizer over the paper's sampled work.
     #[must_use]
     pub fn sampled(self) -> Lolc<T, C, Sampled, A> {
-        Lolc { observer: self.observer.booking(), limit: self.limit }
+        Lolc { observer: self.observer.over(), limit: self.limit }
     }
 
     /// The same stabilizer with its energies summed in a `B`.
     #[must_use]
     pub fn summed_in<B: Accumulator<T>>(self) -> Lolc<T, C, W, B> {
-        Lolc { observer: self.observer.booking(), limit: self.limit }
+        Lolc { observer: self.observer.summed_in(), limit: self.limit }
     }
 
     /// The same stabilizer with its energies summed in `sum`, from the present value of `sum` on: what was summed before is left

@@ -49,13 +49,13 @@ use nalgebra::SVector;
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct MemoryBased<T, const N: usize> {
+pub struct MemoryBased<T, const N: usize, A = Plain<T>> {
     surface: T,
     cell: T,
     look: T,
     last: Option<T>,
     forces: [T; N],
-    energy: Plain<T>,
+    energy: A,
 }
 
 impl<T: Scalar, const N: usize> MemoryBased<T, N> {
@@ -69,6 +69,15 @@ impl<T: Scalar, const N: usize> MemoryBased<T, N> {
         let cell = in_range("memory depth", depth, depth / T::of(N as f64))?;
         let (look, forces) = (T::of(1.0), [T::of(0.0); N]);
         Ok(Self { surface, cell, look, last: None, forces, energy: Plain::zero() })
+    }
+}
+
+impl<T: Scalar, const N: usize, A: Accumulator<T>> MemoryBased<T, N, A> {
+    /// The same memory with its energies summed in a `B`.
+    #[must_use]
+    pub fn summed_in<B: Accumulator<T>>(self) -> MemoryBased<T, N, B> {
+        let Self { surface, cell, look, last, forces, energy } = self;
+        MemoryBased { surface, cell, look, last, forces, energy: B::holding(energy.value()) }
     }
 
     /// The same memory for a force that acts `ticks` periods late.
@@ -86,9 +95,9 @@ impl<T: Scalar, const N: usize> MemoryBased<T, N> {
     }
 }
 
-impl<T, const N: usize> StabilizerExt for MemoryBased<T, N> {}
+impl<T, const N: usize, A> StabilizerExt for MemoryBased<T, N, A> {}
 
-impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
+impl<T: Scalar, const N: usize, A: Accumulator<T>> Stabilizer<T> for MemoryBased<T, N, A> {
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
@@ -118,11 +127,11 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for MemoryBased<T, N> {
     }
 }
 
-account_in_sum!(impl[T: Scalar, const N: usize] MemoryBased<T, N>, in T, is energy);
+account_in_sum!(impl[T: Scalar, const N: usize, A: Accumulator<T>] MemoryBased<T, N, A>, in T, is energy);
 
-impl<T: Scalar, const N: usize> Snapshot for MemoryBased<T, N> {
+impl<T: Scalar, const N: usize, A: Accumulator<T> + Snapshot> Snapshot for MemoryBased<T, N, A> {
     /// The last depth, m, NaN in a lane that has none, the forces in the cells, N, and the energy, J.
-    type State = (Option<T>, SVector<T, N>, T);
+    type State = (Option<T>, SVector<T, N>, A::State);
 
     fn state(&self) -> Self::State {
         (self.last, SVector::from(self.forces), self.energy.state())

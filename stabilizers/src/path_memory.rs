@@ -2,7 +2,8 @@
 
 use lyapunov_core::lanes::apart;
 use lyapunov_core::{
-    Correction, ParameterError, PortSample, Requirement, Scalar, Snapshot, Stabilizer,
+    Accumulator, Correction, ParameterError, Plain, PortSample, Requirement, Scalar, Snapshot,
+    Stabilizer,
 };
 
 use crate::StabilizerExt;
@@ -57,11 +58,12 @@ use nalgebra::SVector;
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct PathMemory<T, const N: usize> {
+pub struct PathMemory<T, const N: usize, A = Plain<T>> {
     surface: T,
     cell: T,
     forces: [T; N],
-    debt: T,
+    /// The debt with a minus sign, J: 0 or less.
+    energy: A,
 }
 
 impl<T: Scalar, const N: usize> PathMemory<T, N> {
@@ -73,7 +75,16 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
         let surface = Requirement::Finite.check("surface", surface)?;
         let depth = Requirement::Positive.check("memory depth", depth)?;
         let cell = in_range("memory depth", depth, depth / T::of(N as f64))?;
-        Ok(Self { surface, cell, forces: [T::of(0.0); N], debt: T::of(0.0) })
+        Ok(Self { surface, cell, forces: [T::of(0.0); N], energy: Plain::zero() })
+    }
+}
+
+impl<T: Scalar, const N: usize, A: Accumulator<T>> PathMemory<T, N, A> {
+    /// The same memory with its debt summed in a `B`.
+    #[must_use]
+    pub fn summed_in<B: Accumulator<T>>(self) -> PathMemory<T, N, B> {
+        let Self { surface, cell, forces, energy } = self;
+        PathMemory { surface, cell, forces, energy: B::holding(energy.value()) }
     }
 
     /// Writes the way `back..on` that was gone `inwards` under `force`, and adds up what the memory allows over two
@@ -147,9 +158,9 @@ fn side_by_side<T: Scalar, const N: usize>(terms: &[T; N]) -> T {
     all
 }
 
-impl<T, const N: usize> StabilizerExt for PathMemory<T, N> {}
+impl<T, const N: usize, A> StabilizerExt for PathMemory<T, N, A> {}
 
-impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
+impl<T: Scalar, const N: usize, A: Accumulator<T>> Stabilizer<T> for PathMemory<T, N, A> {
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<T>, effort: T) -> Correction<T> {
         let zero = T::of(0.0);
@@ -166,22 +177,23 @@ impl<T: Scalar, const N: usize> Stabilizer<T> for PathMemory<T, N> {
         let [gave, gives] = self.walk([before, now], force, inwards, [now - ahead, now]);
 
         let given = T::choose(outwards, -work - gave, (-work).larger(zero));
-        let debt = (self.debt + given).larger(zero);
-        self.debt = T::choose(debt.finite(), debt, self.debt);
+        self.energy.book(-given);
+        self.energy.lower(zero);
+        let debt = self.debt();
         let leaving = sample.velocity.below(zero) & now.above(zero) & sound;
-        let most = ((gives - self.debt) / ahead).larger(zero);
+        let most = ((gives - debt) / ahead).larger(zero);
         let bounded = T::choose(leaving, effort.smaller(most), effort);
         let accepted = sound & effort.finite() & most.finite();
         // No debt is 0, and not −0.
-        limiting(bounded, zero - self.debt, accepted)
+        limiting(bounded, zero - debt, accepted)
     }
 }
 
 /// It remembers debts alone, and no credit: there is nothing to grant.
-impl<T: Scalar, const N: usize> PathMemory<T, N> {
+impl<T: Scalar, const N: usize, A: Accumulator<T>> PathMemory<T, N, A> {
     /// What it owes, J.
     pub fn debt(&self) -> T {
-        self.debt
+        T::of(0.0) - self.energy.value()
     }
 
     /// Adds a `debt` of as many joules, carried over from another controller or an earlier run: the way out gives as
@@ -200,30 +212,28 @@ impl<T: Scalar, const N: usize> PathMemory<T, N> {
     /// # Errors
     /// `debt` below 0, infinite or NaN, or more than there is room for; nothing is changed.
     pub fn owe(&mut self, debt: T) -> Result<(), ParameterError> {
-        let book = |owed: &mut T, change: T| {
-            *owed -= change;
-            owed.finite()
-        };
-        self.debt = owed(self.debt, debt, book)?;
+        self.energy = owed(self.energy, debt, Accumulator::book)?;
         Ok(())
     }
 
     /// Forgives the debt; what was given is given for good. The forces of the path stay.
     pub fn reset(&mut self) {
-        self.debt = T::of(0.0);
+        self.energy.clear();
     }
 }
 
-impl<T: Scalar, const N: usize> Snapshot for PathMemory<T, N> {
-    /// The forces in the cells, N, and the debt, J.
-    type State = (SVector<T, N>, T);
+impl<T: Scalar, const N: usize, A: Accumulator<T> + Snapshot> Snapshot for PathMemory<T, N, A> {
+    /// The forces in the cells, N, and the debt with a minus sign, J.
+    type State = (SVector<T, N>, A::State);
 
     fn state(&self) -> Self::State {
-        (SVector::from(self.forces), self.debt)
+        (SVector::from(self.forces), self.energy.state())
     }
 
-    fn restored(self, (forces, debt): Self::State) -> Result<Self, ParameterError> {
+    fn restored(self, (forces, energy): Self::State) -> Result<Self, ParameterError> {
         let forces = Requirement::NonNegative.check_axes("stored force", forces)?.into();
-        Ok(Self { forces, debt: Requirement::NonNegative.check("stored debt", debt)?, ..self })
+        let memory = Self { forces, energy: self.energy.restored(energy)?, ..self };
+        Requirement::NonNegative.check("stored debt", memory.debt())?;
+        Ok(memory)
     }
 }

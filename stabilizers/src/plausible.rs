@@ -95,11 +95,14 @@ impl<V: Signal, S: Stabilizer<V>> Stabilizer<V> for Plausible<S, V::Scalar> {
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
         let Plausibility { speed, effort: strongest } = self.limits;
         let period = resolved(sample.period, LEAST);
+        let zero = V::Scalar::of(0.0);
         let reach = speed * period;
+        // Whatever the effort, none of it works where nothing may move; infinity times 0 would bound nothing.
+        let work = V::Scalar::choose(reach.above(zero), strongest * reach, reach);
         let absurd = beyond(sample.velocity, speed)
             + beyond(sample.displacement, reach)
             + beyond(sample.applied, strongest)
-            + beyond(sample.work, strongest * reach);
+            + beyond(sample.work, work);
         let seen = PortSample {
             period,
             position: sample.position,

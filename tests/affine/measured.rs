@@ -150,3 +150,16 @@ fn a_gap_forgives_no_debt() {
         assert!(abs_diff_eq!(found, expected, epsilon = 1e-15), "{found} J, {told:?}");
     }
 }
+
+/// In `f32` a position of 20 km still takes a millimetre a tick.
+#[test]
+fn a_long_way_in_single_precision() {
+    let circle = QuadraticForm::<f32, 2>::sum_of_squares();
+    let oscillator = VanDerPol::new(1.0_f32).expect("an oscillator");
+    let state = Vector2::new(0.0, 1.0);
+    let mut port = MeasuredPlant::new(oscillator, circle, 1e-3, state).expect("a port");
+    let told = (0..20_000_000).map(|_| port.tell(state, Vector1::new(2.0))).last().expect("ticks");
+    assert_abs_diff_eq!(told.position.input[0], 20_000.0, epsilon = 0.01);
+    assert_abs_diff_eq!(told.displacement.input[0], 1e-3, epsilon = 1e-9);
+    assert_abs_diff_eq!(told.work.input[0], -2e-3, epsilon = 1e-9);
+}

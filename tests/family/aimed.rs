@@ -161,3 +161,16 @@ fn metrics_are_between_nothing_and_all() {
     let image = unit.apply(Vector3::new(9.0, 5.0, 10.0));
     assert!((image - Vector3::new(0.0, 6.6, 8.8)).norm() < 1e-14);
 }
+
+/// Of any length, however small or large: the metric is a projection.
+#[test]
+fn a_direction_has_the_length_1() {
+    for size in [5e-324, 1e-300, 1.0, 1.7e308] {
+        let metric = AlongDirection::new(Vector3::new(size, size, 0.0)).expect("a direction");
+        let once = metric.apply(Vector3::new(0.3, 0.1, 0.2));
+        assert_abs_diff_eq!(once, Vector3::new(0.2, 0.2, 0.0), epsilon = 1e-15);
+        assert_abs_diff_eq!(metric.apply(once), once, epsilon = 1e-15);
+    }
+    assert!(AlongDirection::new(Vector3::<f64>::zeros()).is_err());
+    assert!(AlongDirection::new(Vector3::new(1.0, f64::NAN, 0.0)).is_err());
+}

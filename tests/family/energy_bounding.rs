@@ -118,6 +118,30 @@ fn nor_in_samples_of_up_to_two_periods() {
     assert!(least_over(|| of(rate, rate), 0, 2.0) < -1e-3);
 }
 
+/// A clock that is late by a rounding finds the law of the period, and not another one.
+#[test]
+fn a_rounding_of_the_period_changes_no_more_than_roundings() {
+    let mut dice = Dice::of(7);
+    let mut made = [PERIOD, PERIOD * (1.0 + f64::EPSILON), PERIOD * (1.0 + 1e-9)]
+        .map(|period| (period, EnergyBounding::of_damping(DAMPING, PERIOD).expect("one"), 0.0));
+    for _ in 0..10_000 {
+        let (moved, asked) = (dice.within(1e-4), dice.within(3.0));
+        let told = made.each_mut().map(|(period, one, applied)| {
+            let tick = HeldTick {
+                period: *period,
+                position: 0.0,
+                velocity: moved / PERIOD,
+                displacement: moved,
+                applied: *applied,
+            };
+            *applied = one.stabilize(&tick.sample(), asked).effort;
+            *applied
+        });
+        assert!((told[1] - told[0]).abs() < 1e-9, "{told:?}");
+        assert!((told[2] - told[0]).abs() < 1e-5, "{told:?}");
+    }
+}
+
 /// 10 mm in ten periods of 1 ms: a damper of 0.5 N·s/m dissipates 0.5 N·s/m · (10 mm)² / 10 ms = 5 mJ.
 #[test]
 fn a_sample_of_several_periods_is_booked_over_its_own() {

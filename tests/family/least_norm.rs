@@ -158,3 +158,13 @@ fn a_rejected_effort_leaves_the_whole_debt_a_shortfall() {
     assert_eq!((told.accepted, told.effort, told.alpha), (false, 0.0, 0.0));
     assert_eq!((told.observed_energy, told.shortfall), (-1e36, 1e36));
 }
+
+/// A drift whose square is out of range.
+#[test]
+fn sontag_takes_large_drifts() {
+    let constraint = Constraint { drift: 1e20_f32, gain: 1e3_f32 };
+    let met = constraint.sontag();
+    assert!(met.feasible && met.input <= 2.0 * constraint.least_norm().input * (1.0 - 1e-6));
+    let loose = Constraint { drift: -1e20_f32, gain: 1e3_f32 }.sontag();
+    assert!(loose.feasible && f32::abs(loose.input) < 1e-10);
+}

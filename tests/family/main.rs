@@ -15,6 +15,7 @@ mod input_to_state;
 mod lanes;
 mod laws;
 mod least_norm;
+mod long_runs;
 mod memory_based;
 mod neutral;
 mod no_time;

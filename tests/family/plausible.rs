@@ -172,3 +172,13 @@ fn sums_and_quotients_stay_in_range() {
     let limit = DampingLimit::of_stiffness(1e-300, 1e-200, 1e-200).expect("a limit").most();
     approx::assert_relative_eq!(limit, 1e100, max_relative = 1e-12);
 }
+
+/// A device that cannot move does no work, whatever the effort.
+#[test]
+fn without_a_speed_there_is_no_work() {
+    let limits = Plausibility { speed: 0.0, effort: f64::INFINITY };
+    let mut popc = popc::<f64>().plausible::<f64>(limits).expect("limits");
+    let absurd = PortSample::<f64> { work: 1e36, ..PortSample::starting(PERIOD, 0.0, 0.0) };
+    assert!(!popc.stabilize(&absurd, 0.0).accepted);
+    assert_eq!(popc.observed_energy(), 0.0);
+}

@@ -54,3 +54,12 @@ fn exact_motion_has_thirty_digits() {
         max_relative = END
     );
 }
+
+/// Beside the largest number a quotient is rounded as one of `f64` is.
+#[test]
+fn quotients_of_the_largest_numbers_are_finite() {
+    for divisor in [1.0, 1.5, 3.0, 7.0, 1e10] {
+        let quotient = of(f64::MAX) / of(divisor);
+        assert_relative_eq!(quotient.lane(0), f64::MAX / divisor, max_relative = 1e-15);
+    }
+}

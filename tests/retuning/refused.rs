@@ -64,7 +64,7 @@ fn energies_and_forces_out_of_range_are_refused() {
     assert!(slope.restored((f64::INFINITY, 0.0, 0.0)).is_err());
     let path = PathMemory::<f64, 4>::beyond(0.0, 1.0).expect("one");
     let (forces, _) = path.state();
-    assert!(path.restored((forces, -1.0)).is_err());
+    assert!(path.restored((forces, 1.0)).is_err());
     assert!(path.restored((-forces.add_scalar(1.0), 0.0)).is_err());
     let bound = ForceBounding::of_damping(0.1).and_then(|it| it.delayed::<4>(3)).expect("one");
     let (energy, costs) = bound.state();

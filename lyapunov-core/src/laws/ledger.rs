@@ -28,7 +28,7 @@ pub fn ledger<V: Signal, S: Stabilizer<V> + Clone, C: LyapunovCandidate<V> + Clo
     let zero = V::Scalar::of(0.0);
     let mut supplied = Compensated::<V::Scalar>::zero();
     let (mut absolute, mut largest, mut ticks) = (zero, zero, zero);
-    // A limit that is not valid shows as a breach of it on the first tick.
+    // A limit that is not valid shows as a breach of it on the first tick that damps.
     let limit = Requirement::Limit.check("limit", limit).unwrap_or(zero);
     Tick::each(samples, |now, sample, effort| {
         let decrease = candidate.decrease(sample);

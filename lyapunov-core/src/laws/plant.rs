@@ -21,8 +21,13 @@ pub fn plant<V: Signal, P: Plant<V> + Clone>(
         let sample = one.advance(effort);
         tells(Tick(tick), &last, &sample, effort)
             .and_then(|()| {
-                let again = other.advance(effort).position;
-                Tick(tick).told(quantity::POSITION).same(Law::Repeatable, sample.position, again)
+                let (now, again) = (Tick(tick), other.advance(effort));
+                now.told(quantity::POSITION).same(
+                    Law::Repeatable,
+                    sample.position,
+                    again.position,
+                )?;
+                now.told(quantity::VELOCITY).same(Law::Repeatable, sample.velocity, again.velocity)
             })
             .map_err(|broken| broken.under(&sample, effort))?;
         last = sample;

@@ -81,10 +81,11 @@ impl Told {
     /// Breaks `law` where two signals that must be equal differ; two NaN are equal.
     pub(super) fn same<V: Signal>(self, law: Law, one: V, other: V) -> Result<(), Violation> {
         let zero = V::Scalar::of(0.0);
+        // A number's magnitude is above −1, a NaN's is not.
+        let number = |axis: V::Scalar| axis.magnitude().above(V::Scalar::of(-1.0));
         let apart = one.zip(other, |a, b| {
-            let alike = !(a.below(b) | b.below(a))
-                & !(a.finite() & !b.finite())
-                & !(b.finite() & !a.finite());
+            let (both, any) = (number(a) & number(b), number(a) | number(b));
+            let alike = both & !(a.below(b) | b.below(a)) | !any;
             V::Scalar::choose(alike, zero, V::Scalar::of(1.0))
         });
         let kept = !zero.below(apart.sum());

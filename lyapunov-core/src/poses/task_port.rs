@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 use num_traits::Zero;
 
+use crate::exact_sum::exact_sums;
 use crate::{
     Axes, HeldTick, Jacobian, PortSample, Pose, Scalar, Screw, Signal, WithPose, WorldAxes,
 };
@@ -46,6 +47,8 @@ use crate::{
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaskPort<T, const N: usize, F = WorldAxes> {
     at: WithPose<T, F>,
+    /// What the position has no digits for.
+    left: Screw<T, F>,
     jacobian: Jacobian<T, N, F>,
     asked: Screw<T, F>,
 }
@@ -53,7 +56,8 @@ pub struct TaskPort<T, const N: usize, F = WorldAxes> {
 impl<T: Scalar, F: Axes, const N: usize> TaskPort<T, N, F> {
     /// A port whose tool stands in `pose`, where the joints have this `jacobian`.
     pub fn starting(pose: &Pose<T>, jacobian: &Jacobian<T, N, F>) -> Self {
-        Self { at: WithPose::at(*pose), jacobian: *jacobian, asked: Screw::zero() }
+        let (at, none) = (WithPose::at(*pose), Screw::zero());
+        Self { at, left: none, jacobian: *jacobian, asked: none }
     }
 
     /// The tool's sample, from that of the joints, for the tool in `pose` with this `jacobian`.
@@ -67,7 +71,8 @@ impl<T: Scalar, F: Axes, const N: usize> TaskPort<T, N, F> {
         let before = self.at;
         let screw = self.jacobian.twist(joints.displacement);
         let displacement = WithPose { screw, pose: *pose - before.pose };
-        let position = WithPose { screw: before.screw + screw, pose: *pose };
+        let (sum, left) = exact_sums(before.screw, screw + self.left);
+        let position = WithPose { screw: sum, pose: *pose };
         let velocity = WithPose::of(jacobian.twist(joints.velocity));
         let asked = WithPose::of(self.asked);
         let mut sample =
@@ -76,7 +81,8 @@ impl<T: Scalar, F: Axes, const N: usize> TaskPort<T, N, F> {
         let unlike = joints.work.sum() - sample.work.sum();
         sample.work.screw = sample.work.screw + Screw::splat(unlike / T::of(6.0));
 
-        self.at.screw = Screw::choose(position.screw.finite(), position.screw, before.screw);
+        self.left = Screw::choose(sum.finite(), left, self.left);
+        self.at.screw = Screw::choose(sum.finite(), sum, before.screw);
         self.at.pose = Pose::choose(pose.finite(), *pose, before.pose);
         self.jacobian = jacobian.or(&self.jacobian);
         sample

@@ -2,6 +2,7 @@
 
 use num_traits::Zero;
 
+use crate::exact_sum::exact_sums;
 use crate::{
     Angle, Axes, ParameterError, Pose, Requirement, Scalar, Screw, Signal, Snapshot, WithPose,
     WorldAxes,
@@ -137,8 +138,8 @@ impl<T: Angle, F: Axes> Poses<T, F> {
         let from = if known { &last.pose } else { pose };
         let way = Screw::between(from, pose) + self.left;
         let step = Screw::choose(pose.is_turned(), way, Screw::splat(T::of(f64::NAN)));
-        let screw = last.screw + step;
-        (WithPose { screw, pose: *pose }, Self { left: step - (screw - last.screw) })
+        let (screw, left) = exact_sums(last.screw, step);
+        (WithPose { screw, pose: *pose }, Self { left })
     }
 }
 

@@ -88,7 +88,7 @@ fn an_observer_books_what_fits() {
     let with = |work| PortSample { work, ..moved() };
     let sums = [-3.0, f64::NAN, -1.0, 6.0].map(|work| observer.observe(&with(work), 0.0));
     assert_eq!(sums, [-3.0, -3.0, -4.0, 2.0]);
-    let mut sampled = observer.booking::<Sampled, Compensated<f64>, f64>();
+    let mut sampled = observer.over::<Sampled>().summed_in::<f64, Compensated<f64>>();
     assert_eq!(sampled.observe(&moved(), -2.0), -2.0, "2 J and −2 N · 4 m/s · 0.5 s");
     assert_eq!(sampled.observe(&moved(), 1.0), 0.0);
     let restored = Observer::of(PortEnergy).restored(observer.state()).expect("a memory");

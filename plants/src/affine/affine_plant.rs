@@ -2,6 +2,7 @@
 
 use lyapunov_core::{
     HeldTick, Integrator, LyapunovFunction, ParameterError, Plant, PortSample, Requirement, Scalar,
+    exact_sums,
 };
 use nalgebra::SVector;
 use num_traits::Zero;
@@ -44,6 +45,8 @@ pub struct AffinePlant<P, F, I, T, const N: usize, const M: usize> {
     interval: T,
     steps: u32,
     at: WithState<T, N, M>,
+    /// What the position has no digits for.
+    left: SVector<T, M>,
 }
 
 impl<P, F, I, T, const N: usize, const M: usize> AffinePlant<P, F, I, T, N, M>
@@ -68,13 +71,22 @@ where
         Requirement::AtLeast(1.0).check("steps", f64::from(steps))?;
         let interval = period / T::of(f64::from(steps));
         let dynamics = WithFlow { plant, function };
-        Ok(Self { dynamics, integrator, period, interval, steps, at: WithState::zero() })
+        Ok(Self {
+            dynamics,
+            integrator,
+            period,
+            interval,
+            steps,
+            at: WithState::zero(),
+            left: SVector::zeros(),
+        })
     }
 
     /// The same plant in `state`.
     #[must_use]
     pub fn starting(self, state: SVector<T, N>) -> Self {
-        Self { at: WithState { input: SVector::zeros(), state }, ..self }
+        let none = SVector::zeros();
+        Self { at: WithState { input: none, state }, left: none, ..self }
     }
 
     /// The state `x`.
@@ -119,12 +131,13 @@ where
             let gain = self.integrator.step(&self.dynamics, at, effort.input, self.interval);
             gained = gained + gain;
         }
-        self.at = before + gained;
+        let (input, left) = exact_sums(before.input, gained.input + self.left);
+        (self.at, self.left) = (WithState { input, state: before.state + gained.state }, left);
         HeldTick {
             period: self.period,
             position: self.at,
             velocity: self.flow(),
-            displacement: self.at - before,
+            displacement: WithState { state: self.at.state - before.state, ..gained },
             applied: effort,
         }
         .sample()

@@ -1,7 +1,8 @@
 //! Port of a real plant, from measurements of its state.
 
 use lyapunov_core::{
-    EffortRange, LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal, careful,
+    EffortRange, LyapunovFunction, ParameterError, PortSample, Requirement, Scalar, Signal,
+    careful, exact_sums,
 };
 use nalgebra::SVector;
 
@@ -41,6 +42,8 @@ pub struct MeasuredPlant<P, F, T, const N: usize, const M: usize> {
     /// Time since the last sound sample, s.
     gap: T,
     at: WithState<T, N, M>,
+    /// What the position has no digits for.
+    left: SVector<T, M>,
     flow: SVector<T, M>,
     /// The range of the efforts since then.
     efforts: EffortRange<SVector<T, M>>,
@@ -67,7 +70,7 @@ where
         let none = SVector::zeros();
         let at = WithState { input: none, state };
         let efforts = EffortRange::of(none);
-        Ok(Self { plant, function, period, gap: T::of(0.0), at, flow, efforts })
+        Ok(Self { plant, function, period, gap: T::of(0.0), at, left: none, flow, efforts })
     }
 
     /// The sample of the first tick.
@@ -89,7 +92,8 @@ where
         let gap = self.gap + self.period;
         let integral = (self.flow + flow).scale(T::of(0.5) * gap);
         let integral = Signal::choose(known, integral, SVector::zeros());
-        let at = WithState { input: before.input + integral, state };
+        let (sum, left) = exact_sums(before.input, integral + self.left);
+        let at = WithState { input: sum, state };
         let sound = at.finite() & flow.finite() & input.finite();
         let efforts = self.efforts_with(-input);
         let mean = flow.zip(integral, |flow, moved| careful(flow, moved / gap));
@@ -97,6 +101,7 @@ where
         let velocity = Signal::choose(late, mean, flow);
         let work = efforts.least_work(integral);
         self.at = WithState::choose(sound, at, self.at);
+        self.left = Signal::choose(sound, left, self.left);
         self.flow = Signal::choose(sound, flow, self.flow);
         self.gap = T::choose(sound | !known, T::of(0.0), gap);
         self.efforts = efforts;
@@ -104,7 +109,7 @@ where
             period: T::choose(sound, gap, self.period),
             position: at,
             velocity: WithState::of_input(velocity),
-            displacement: at - before,
+            displacement: WithState { input: integral, state: state - before.state },
             applied: WithState::of_input(-input),
             work: WithState::choose(
                 sound,

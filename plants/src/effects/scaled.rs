@@ -4,7 +4,7 @@ use lyapunov_core::{
     Correction, OnePort, ParameterError, PortSample, Requirement, Scalar, Signal, Snapshot,
 };
 
-use crate::{ForceLaw, Kinematics};
+use crate::{ForceLaw, Kinematics, Surface, Time};
 
 /// A port whose effort is scaled, `f_out(n) = s(n) f_in(n)`, by a scale that may change in the loop.
 ///
@@ -79,6 +79,10 @@ impl<V: Signal, L: ForceLaw<V>> ForceLaw<V> for Scaled<L, V::Scalar> {
 
     fn stored(&self, motion: &Kinematics<V>) -> V::Scalar {
         self.port.stored(motion) * self.scale
+    }
+
+    fn surface(&self, time: Time<V::Scalar>) -> Option<Surface<V>> {
+        self.port.surface(time)
     }
 }
 

@@ -62,9 +62,9 @@ impl<T: Scalar> DcMotor<T> {
     /// The gain from which on a position loop is unstable, V/rad, without a sampling period or delay.
     pub fn critical_gain(&self) -> T {
         let MotorParts { inertia, friction, torque_constant, resistance, inductance } = self.parts;
-        let slow = friction * inductance + inertia * resistance;
-        let braking = friction * resistance + torque_constant * torque_constant;
-        slow * braking / (torque_constant * inertia * inductance)
+        // Divided before it is multiplied: three small numbers in one product are 0 in `f32`.
+        let slow = friction / inertia + resistance / inductance;
+        slow * (friction * resistance / torque_constant + torque_constant)
     }
 }
 

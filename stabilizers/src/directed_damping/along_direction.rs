@@ -1,6 +1,6 @@
 //! Metric of one direction.
 
-use lyapunov_core::{ParameterError, Requirement, Signal, length_and_direction};
+use lyapunov_core::{ParameterError, Requirement, Signal, largest_axis, length_and_direction};
 
 use super::Metric;
 
@@ -22,13 +22,13 @@ impl<V: Signal> AlongDirection<V> {
     /// The metric of the direction of `direction`, which may have any length but 0.
     ///
     /// # Errors
-    /// A length that is not above 0 and finite.
+    /// An axis that is not finite; all axes 0.
     pub fn new(direction: V) -> Result<Self, ParameterError> {
-        // The length, scaled by the largest axis, misses a NaN on one axis.
         Requirement::Finite.check_axes("direction", direction)?;
-        let (length, _) = length_and_direction(direction, V::zero());
-        Requirement::Positive.check("direction's length", length)?;
-        Ok(Self { direction: direction.map(|axis| axis / length) })
+        // Not the length, which may be out of range where the direction is not.
+        Requirement::Positive.check("direction's largest axis", largest_axis(direction))?;
+        let (_, direction) = length_and_direction(direction, V::zero());
+        Ok(Self { direction })
     }
 }
 

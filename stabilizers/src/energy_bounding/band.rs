@@ -2,6 +2,8 @@
 
 use lyapunov_core::Scalar;
 
+use crate::hypotenuse::hypotenuse;
+
 /// The forces that an axis may go to from the force it had, over a displacement.
 pub trait Band<T: Scalar> {
     /// The least and the most, N.
@@ -77,13 +79,4 @@ impl<T: Scalar> Band<T> for TightBand<T> {
     fn release(&self) -> T {
         self.slope
     }
-}
-
-/// `√(a² + b²)` without squares that are out of range.
-#[inline(always)]
-fn hypotenuse<T: Scalar>(a: T, b: T) -> T {
-    let (a, b) = (a.magnitude(), b.magnitude());
-    let (large, small) = (a.larger(b), a.smaller(b));
-    let ratio = small / large.larger(T::smallest_normal());
-    large * (T::of(1.0) + ratio * ratio).sqrt()
 }

@@ -35,9 +35,10 @@ pub use band::{PublishedBand, TightBand};
 ///
 /// **A sample that spans more than the period `T`**, as after a missed reading, finds a damper that dissipated no more than
 /// `b Δx² / T(k)`, with `T(k)` the sample's own period. There the force also has to be within what is left of the stored energy,
-/// `F(k)² ≤ F(k−1)² + 2 c2 (F(k−1) Δx + b Δx² / T(k))`, or rather within a simpler bound that is never above it:
-/// `|F(k)| ≤ |F| (1 − ε (c2 Δx / F)²)` with `F = F(k−1) + c2 Δx` and `ε = 1 − 2 b / (c2 T(k))`, not below 0. So the guarantee
-/// holds as long as `T(k) ≤ 2 b / c2`. Over a longer time a held force may give more than is stored, which the shortfall tells.
+/// `F(k)² ≤ F(k−1)² + 2 c2 (F(k−1) Δx + b Δx² / T(k))`, which is `(F(k−1) + c2 Δx)² − ε (c2 Δx)²` with `ε = 1 − 2 b / (c2 T(k))`.
+/// Over `T` itself the band above is within it, so that a clock that jitters changes the force by as much as it jitters. The
+/// guarantee holds as long as `T(k) ≤ 2 b / c2`. Over a longer time a held force may give more than is stored, which the shortfall
+/// tells.
 ///
 /// `c1` is the steepest wall that is felt, `c2` how fast energy may be handed back. It needs no velocity and adds no
 /// damping: it bounds a swing and need not end it. While nothing moves the force stays, so that what was not reached at
@@ -56,12 +57,16 @@ pub use band::{PublishedBand, TightBand};
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct EnergyBounding<V: Signal, B = PublishedBand<<V as Signal>::Scalar>> {
+pub struct EnergyBounding<
+    V: Signal,
+    B = PublishedBand<<V as Signal>::Scalar>,
+    A = Plain<<V as Signal>::Scalar>,
+> {
     band: B,
     /// The longest period over which `b Δx² / T` is what the damper dissipates.
     period: V::Scalar,
     force: V,
-    energy: Plain<V::Scalar>,
+    energy: A,
 }
 
 impl<V: Signal> EnergyBounding<V> {
@@ -153,13 +158,23 @@ impl<V: Signal, B> EnergyBounding<V, B> {
     }
 }
 
+impl<V: Signal, B, A: Accumulator<V::Scalar>> EnergyBounding<V, B, A> {
+    /// The same stabilizer with its energies summed in a `C`.
+    #[must_use]
+    pub fn summed_in<C: Accumulator<V::Scalar>>(self) -> EnergyBounding<V, B, C> {
+        let Self { band, period, force, energy } = self;
+        EnergyBounding { band, period, force, energy: C::holding(energy.value()) }
+    }
+}
+
 /// The largest force, N, after one of `force` over a displacement that asks for another `given` N, of which the share `lost` is not
-/// stored: `√(F² − ε g²) ≥ F (1 − ε g² / F²)` with `F = force + given`.
+/// stored: `√((F + g)² − ε g²)`, and 0 where nothing is left, without squares that are out of range.
 #[inline(always)]
 fn kept<T: Scalar>(force: T, given: T, lost: T) -> T {
     let (whole, given) = ((force + given).magnitude(), given.magnitude());
-    let ratio = (given / whole.larger(T::smallest_normal())).smaller(T::largest());
-    (whole - lost * given * ratio).larger(T::of(0.0))
+    let size = whole.larger(given).larger(T::smallest_normal());
+    let (whole, given) = (whole / size, given / size);
+    size * (whole * whole - lost * (given * given)).larger(T::of(0.0)).sqrt()
 }
 
 /// `b / T`, N/m.
@@ -169,12 +184,17 @@ fn rate<T: Scalar>(damping: T, period: T) -> Result<T, ParameterError> {
     in_range("device damping", damping, damping / period)
 }
 
-impl<V: Signal, B> StabilizerExt for EnergyBounding<V, B> {}
+impl<V: Signal, B, A> StabilizerExt for EnergyBounding<V, B, A> {}
 
-impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
+impl<V, B, A> Stabilizer<V> for EnergyBounding<V, B, A>
+where
+    V: Signal,
+    B: Band<V::Scalar>,
+    A: Accumulator<V::Scalar>,
+{
     #[inline(always)]
     fn stabilize(&mut self, sample: &PortSample<V>, effort: V) -> Correction<V> {
-        let [zero, one, two] = [0.0, 1.0, 2.0].map(V::Scalar::of);
+        let [one, two] = [1.0, 2.0].map(V::Scalar::of);
         let moved = sample.displacement;
         let share = (self.period / sample.period).smaller(one);
         let burns = self.band.burns() * share;
@@ -190,7 +210,7 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
         let bounded = effort.zip(least, Scalar::larger).zip(most, Scalar::smaller);
 
         let release = band.release();
-        let lost = (one - two * burns / release).larger(zero);
+        let lost = (one - two * burns / release).larger(-V::Scalar::largest());
         let size = self.force.zip(moved, |force, moved| kept(force, release * moved, lost));
         let within = bounded.zip(size, |force, size| force.larger(-size).smaller(size));
         let bounded = V::choose(share.below(one), within, bounded);
@@ -201,11 +221,13 @@ impl<V: Signal, B: Band<V::Scalar>> Stabilizer<V> for EnergyBounding<V, B> {
     }
 }
 
-account_in_sum!(impl[V: Signal, B] EnergyBounding<V, B>, in V::Scalar, is energy);
+account_in_sum!(
+    impl[V: Signal, B, A: Accumulator<V::Scalar>] EnergyBounding<V, B, A>, in V::Scalar, is energy
+);
 
-impl<V: Signal, B> Snapshot for EnergyBounding<V, B> {
+impl<V: Signal, B, A: Accumulator<V::Scalar> + Snapshot> Snapshot for EnergyBounding<V, B, A> {
     /// The last force, N, and the energy, J.
-    type State = (V, V::Scalar);
+    type State = (V, A::State);
 
     fn state(&self) -> Self::State {
         (self.force, self.energy.state())

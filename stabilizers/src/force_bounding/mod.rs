@@ -27,7 +27,7 @@ use reset::Reset;
 /// is bounded by what the device's damping has dissipated in this contact.
 ///
 /// ```text
-/// F(n−1) = 0:  E(n−1) = 0
+/// F(n−1) = 0:  E(n−1) = min(E(n−1), 0)
 /// E(n) = E(n−1) + F(n−1) · Δx + Δxᵀ (D / T) Δx
 /// |F(n)| ≤ √(4 E(n) / (uᵀ (D / T)⁻¹ u)),   u = f / |f|;      on one axis √(4 b E / T)
 /// ```

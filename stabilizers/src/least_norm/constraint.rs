@@ -2,12 +2,15 @@
 
 use lyapunov_core::{ParameterError, Requirement, Scalar, Signal};
 
+use crate::hypotenuse::hypotenuse;
+
 /// The constraint `a + b · u ≤ 0` on an input `u`: of a control Lyapunov function `V` with `ẋ = f + g u`,
 /// `a = L_f V + …` is the drift and `b = L_g V` the gain.
 ///
 /// What a quadratic program gives for one such constraint has a closed form, and so has Sontag's universal formula
 /// (Sontag, Systems and Control Letters 13, 1989; the least norm after Freeman and Kokotović, Robust Nonlinear Control
-/// Design, 1996). An [`Input`] says where there is none: `b = 0` while `a > 0`.
+/// Design, 1996). An [`Input`] says where there is none: `b = 0` while `a > 0`. A `b` whose square is too small for the scalar counts
+/// as 0.
 ///
 /// ```
 /// use lyapunov_stabilizers::Constraint;
@@ -47,10 +50,10 @@ impl<V: Signal> Constraint<V> {
     pub fn sontag(&self) -> Input<V> {
         let zero = V::Scalar::of(0.0);
         let square = self.gain.inner(self.gain);
-        let root = (self.drift * self.drift + square * square).sqrt();
-        // `a + √…` without cancelling digits where `a < 0`.
-        let (positive, negative) = (self.drift + root, square * square / (root - self.drift));
-        let rate = V::Scalar::choose(self.drift.above(zero), positive, negative) / square;
+        let root = hypotenuse(self.drift, square);
+        // `(a + √…) / b²` without cancelling digits where `a < 0`.
+        let (positive, negative) = ((self.drift + root) / square, square / (root - self.drift));
+        let rate = V::Scalar::choose(self.drift.above(zero), positive, negative);
         self.met(self.gain.scale(-rate), V::zero(), square)
     }
 

@@ -68,7 +68,7 @@ impl<T: Scalar, C, A: Accumulator<T>> LeastNorm<T, C, A> {
     #[must_use]
     pub fn summed_in<B: Accumulator<T>>(self) -> LeastNorm<T, C, B> {
         let Self { observer, limit, decay } = self;
-        LeastNorm { observer: observer.booking(), limit, decay }
+        LeastNorm { observer: observer.summed_in(), limit, decay }
     }
 
     /// The same filter with `energy` more joules on its account.

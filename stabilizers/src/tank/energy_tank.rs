@@ -1,6 +1,6 @@
 //! An energy tank with a port.
 
-use lyapunov_core::{ParameterError, Requirement, Scalar, Signal, Snapshot};
+use lyapunov_core::{Accumulator, ParameterError, Plain, Scalar, Signal, Snapshot};
 
 use super::{BoundedValve, OpenValve, TankLimits, Valve};
 
@@ -17,7 +17,8 @@ use super::{BoundedValve, OpenValve, TankLimits, Valve};
 ///
 /// **Guarantee**: what is stored elsewhere and `E` together are passive. With the [`BoundedValve`]
 /// `floor ≤ E ≤ ceiling` always, if `y` is the mean flow of the period; the [`OpenValve`] is the published one, which
-/// may overdraw and overfill by a tick. **Assumed** is that `D ≥ 0` was really dissipated.
+/// may overdraw and overfill by a tick. **Assumed** is that `D ≥ 0` was really dissipated. What is smaller than the rounding of a
+/// full tank is not drawn from it: long runs in `f32` need a sum that keeps it ([`summed_in`](Self::summed_in)).
 ///
 /// Published sizes: `ceiling = 10 J, floor = 0.1 J`.
 ///
@@ -30,10 +31,10 @@ use super::{BoundedValve, OpenValve, TankLimits, Valve};
 /// # Ok::<(), lyapunov_core::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct EnergyTank<T, L = BoundedValve> {
+pub struct EnergyTank<T, L = BoundedValve, A = Plain<T>> {
     store: TankLimits<T>,
     valve: L,
-    energy: T,
+    energy: A,
 }
 
 impl<T: Scalar> EnergyTank<T> {
@@ -43,21 +44,30 @@ impl<T: Scalar> EnergyTank<T> {
     /// As [`Tank::new`](super::Tank::new).
     pub fn new(store: TankLimits<T>) -> Result<Self, ParameterError> {
         let store = store.checked("tank start")?;
-        Ok(Self { energy: store.start, store, valve: BoundedValve })
+        Ok(Self { energy: Plain::holding(store.start), store, valve: BoundedValve })
     }
+}
 
+impl<T: Scalar, A> EnergyTank<T, BoundedValve, A> {
     /// The same tank with the published valve; it has no limit of power.
     #[must_use]
-    pub fn opening(self) -> EnergyTank<T, OpenValve> {
+    pub fn opening(self) -> EnergyTank<T, OpenValve, A> {
         EnergyTank { store: self.store, valve: OpenValve, energy: self.energy }
     }
 }
 
-impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
+impl<T: Scalar, L: Valve<T>, A: Accumulator<T>> EnergyTank<T, L, A> {
+    /// The same tank with its energy summed in a `B`.
+    #[must_use]
+    pub fn summed_in<B: Accumulator<T>>(self) -> EnergyTank<T, L, B> {
+        let Self { store, valve, energy } = self;
+        EnergyTank { store, valve, energy: B::holding(energy.value()) }
+    }
+
     /// Energy in it, J.
     #[inline]
     pub fn energy(&self) -> T {
-        self.energy
+        self.energy.value()
     }
 
     /// Part of the `wished` input that passes over `period` s at the `flow` it acts on (`wished · flow > 0` extracts),
@@ -71,21 +81,24 @@ impl<T: Scalar, L: Valve<T>> EnergyTank<T, L> {
         wished: V,
         flow: V,
     ) -> V {
-        let asked = wished.inner(flow);
-        let share = self.valve.share(&self.store, self.energy, asked, period);
-        // What is drawn goes first: what comes in on this tick does not pay for it.
-        let left = self.energy - share * asked * period;
+        let (asked, held) = (wished.inner(flow), self.energy.value());
+        let share = self.valve.share(&self.store, held, asked, period);
         let gained = dissipated.larger(T::of(0.0)) * period;
-        let energy = self.valve.filled(&self.store, self.energy, left, gained);
-        let sound = (left + energy + share + dissipated + period).finite()
+        let mut energy = self.energy;
+        // What is drawn goes first: what comes in on this tick does not pay for it.
+        energy.add(-(share * asked * period));
+        let left = energy.value();
+        energy.add(self.valve.gain(&self.store, held, gained));
+        energy.lower(self.valve.most(&self.store));
+        let sound = (left + energy.value() + share + dissipated + period).finite()
             & wished.finite()
             & period.above(T::of(0.0));
-        self.energy = T::choose(sound, energy, self.energy);
+        self.energy = A::choose(sound, energy, self.energy);
         V::choose(sound, wished.scale(share), V::zero())
     }
 }
 
-impl<T: Scalar, L> EnergyTank<T, L> {
+impl<T: Scalar, L, A: Accumulator<T>> EnergyTank<T, L, A> {
     /// The limits; `start` is the energy that it held when they were set.
     pub fn limits(&self) -> TankLimits<T> {
         self.store
@@ -106,21 +119,23 @@ impl<T: Scalar, L> EnergyTank<T, L> {
     /// # Errors
     /// A floor above the energy in it or below 0, a ceiling below that energy, a power below 0; the old ones stay.
     pub fn set_limits(&mut self, limits: TankLimits<T>) -> Result<(), ParameterError> {
-        self.store = TankLimits { start: self.energy, ..limits }.checked("energy in the tank")?;
+        let start = self.energy.value();
+        self.store = TankLimits { start, ..limits }.checked("energy in the tank")?;
         Ok(())
     }
 }
 
-impl<T: Scalar, L: Valve<T>> Snapshot for EnergyTank<T, L> {
+impl<T: Scalar, L: Valve<T>, A: Accumulator<T> + Snapshot> Snapshot for EnergyTank<T, L, A> {
     /// The energy in it, J. With the bounded valve what is stored above the ceiling is forfeited, as what would overflow is.
-    type State = T;
+    type State = A::State;
 
-    fn state(&self) -> T {
-        self.energy
+    fn state(&self) -> A::State {
+        self.energy.state()
     }
 
-    fn restored(self, energy: T) -> Result<Self, ParameterError> {
-        let energy = Requirement::Finite.check("stored energy", energy)?;
-        Ok(Self { energy: self.valve.held(&self.store, energy), ..self })
+    fn restored(self, state: A::State) -> Result<Self, ParameterError> {
+        let mut energy = self.energy.restored(state)?;
+        energy.lower(self.valve.most(&self.store));
+        Ok(Self { energy, ..self })
     }
 }

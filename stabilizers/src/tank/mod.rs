@@ -105,7 +105,7 @@ impl<T: Scalar, C, A: Accumulator<T>> Tank<T, C, A> {
     #[must_use]
     pub fn summed_in<B: Accumulator<T>>(self) -> Tank<T, C, B> {
         let Self { observer, room, power } = self;
-        Tank { observer: observer.booking(), room, power }
+        Tank { observer: observer.summed_in(), room, power }
     }
 }
 

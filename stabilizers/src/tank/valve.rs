@@ -10,11 +10,11 @@ pub trait Valve<T: Scalar>: sealed::Sealed {
     /// The share of the wished power `asked` (W, above 0 where it extracts) that passes while the tank holds `energy`.
     fn share(&self, store: &TankLimits<T>, energy: T, asked: T, period: T) -> T;
 
-    /// Energy of a tank that held `energy` and has `left` after its port drew, once `gain` joules were offered to it.
-    fn filled(&self, store: &TankLimits<T>, energy: T, left: T, gain: T) -> T;
+    /// The part of the `gain` that comes in while the tank holds `energy`, J.
+    fn gain(&self, store: &TankLimits<T>, energy: T, gain: T) -> T;
 
-    /// The part of a stored `energy` that a tank may hold, J.
-    fn held(&self, store: &TankLimits<T>, energy: T) -> T;
+    /// The largest energy that the tank keeps, J; infinity: all.
+    fn most(&self, store: &TankLimits<T>) -> T;
 }
 
 /// The published valve: open to what extracts while `E > floor`, and to what was dissipated while `E ≤ ceiling`.
@@ -32,13 +32,13 @@ impl<T: Scalar> Valve<T> for OpenValve {
     }
 
     #[inline]
-    fn filled(&self, store: &TankLimits<T>, energy: T, left: T, gain: T) -> T {
-        T::choose(energy.above(store.ceiling), left, left + gain)
+    fn gain(&self, store: &TankLimits<T>, energy: T, gain: T) -> T {
+        T::choose(energy.above(store.ceiling), T::of(0.0), gain)
     }
 
     #[inline]
-    fn held(&self, _store: &TankLimits<T>, energy: T) -> T {
-        energy
+    fn most(&self, _store: &TankLimits<T>) -> T {
+        T::of(f64::INFINITY)
     }
 }
 
@@ -55,13 +55,13 @@ impl<T: Scalar> Valve<T> for BoundedValve {
     }
 
     #[inline]
-    fn filled(&self, store: &TankLimits<T>, _energy: T, left: T, gain: T) -> T {
-        (left + gain).smaller(store.ceiling)
+    fn gain(&self, _store: &TankLimits<T>, _energy: T, gain: T) -> T {
+        gain
     }
 
     #[inline]
-    fn held(&self, store: &TankLimits<T>, energy: T) -> T {
-        energy.smaller(store.ceiling)
+    fn most(&self, store: &TankLimits<T>) -> T {
+        store.ceiling
     }
 }
 

@@ -111,7 +111,8 @@ where
         let spent = (correction.effort - flow).inner(sample.velocity) * sample.period;
         self.stabilizer.spend(spent);
         let drift = self.drift + (flow - effort).scale(sample.period);
-        self.drift = V::choose(correction.accepted & drift.finite(), drift, self.drift);
+        // A flow that a rejected tick held back is a part of the drift too.
+        self.drift = V::choose(drift.finite() & sample.timed(), drift, self.drift);
         Correction { effort: flow, ..correction }.checked()
     }
 }

@@ -92,7 +92,8 @@ impl Draft {
         let (servo, rate) = (self.servo_rate.get(), self.environment_rate());
         let ratio = servo / rate;
         let whole = ratio.round();
-        if ratio.is_finite() && whole >= 1.0 && (ratio - whole).abs() <= RATIO_TOLERANCE {
+        let tolerance = RATIO_TOLERANCE.max(f64::EPSILON * ratio);
+        if ratio.is_finite() && whole >= 1.0 && (ratio - whole).abs() <= tolerance {
             return Ok(());
         }
         let remedy = if ratio < 1.0 {

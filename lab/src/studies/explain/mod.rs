@@ -15,7 +15,7 @@ use lyapunov::ParameterError;
 
 use crate::files::Scene;
 use crate::measure::{Limits, Oddity, Verdict, Yardstick};
-use crate::simulate::{Rollout, Space};
+use crate::simulate::{Criterion, Rollout, Space};
 
 use crate::measure::balance::Trial;
 pub use crate::measure::{Balance, Watch};
@@ -105,7 +105,9 @@ impl Explanation {
             look_at,
         };
         let own = trial.moved;
-        let search = explanation.goal().map(|goal| Search { goal, own, run, watch });
+        let is_long = Criterion::of(scene).shortage.is_none();
+        let goal = explanation.goal().filter(|_| is_long);
+        let search = goal.map(|goal| Search { goal, own, run, watch });
         let remedies = search.map_or_else(Vec::new, |it| it.remedies(scene));
         Self { remedies, ..explanation }
     }

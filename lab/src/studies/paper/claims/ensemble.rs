@@ -112,8 +112,8 @@ fn lanes(looped: Loop, runs: &[Run<'_>], duration: f64) -> Result<Vec<Trace>, Pa
     let credited = (PortEnergy, wall.dissipation());
     let (popc, lolc) = (Lolc::new(PortEnergy, limit), Lolc::new(credited, limit));
     let (work, with_credit) = (Observer::of(PortEnergy), Observer::of(credited));
-    let sampled = work.booking::<Sampled, Plain<Lanes>, Lanes>();
-    let sampled_credit = with_credit.booking::<Sampled, Plain<Lanes>, Lanes>();
+    let sampled = work.over::<Sampled>();
+    let sampled_credit = with_credit.over::<Sampled>();
     let start = Start { runs, duration, plant: body };
     Ok(match (looped.control, looped.steps) {
         (Control::None, _) => start.traces(port, NoStabilizer, work),
