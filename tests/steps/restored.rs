@@ -131,10 +131,10 @@ fn a_memory_that_cannot_be_right_is_refused() {
     refused(port().restored(((), 1.0, 1.0, f64::INFINITY, 0.0)), "stored position");
     refused(port().restored(((), 1.0, 1.0, bad, bad)), "stored shift");
 
-    refused(EnergyTank::new(STORE).expect("a tank").restored(bad), "stored energy");
+    refused(EnergyTank::new(STORE).expect("a tank").restored(bad), "stored sum");
     refused(WaveFilter::new(0.5).expect("a filter").restored(bad), "stored wave");
     let damper = ReferenceDamper::starting(2.0, |x: f64| x, 0.0).expect("a damper");
-    refused(damper.restored(bad), "stored deformation");
+    refused(damper.restored(f64::INFINITY), "stored deformation");
 
     let memory = MemoryBased::<f64, 2>::beyond(0.0, 1.0).expect("a memory");
     let (forces, pulling) = (SVector::from([1.0, 0.0]), SVector::from([1.0, -1.0]));
@@ -144,7 +144,7 @@ fn a_memory_that_cannot_be_right_is_refused() {
     assert!(memory.restored((None, forces, bad)).is_err());
     let path = PathMemory::<f64, 2>::beyond(0.0, 1.0).expect("a memory");
     refused(path.restored((pulling, 0.0)), "stored force");
-    refused(path.restored((forces, -1.0)), "stored debt");
+    refused(path.restored((forces, 1.0)), "stored debt");
 
     let pipe = ForceBounding::of_damping(0.1).and_then(|it| it.delayed::<2>(1)).expect("a pipe");
     refused(pipe.restored((0.0, pulling)), "stored cost");

@@ -25,8 +25,8 @@ impl<V: Signal> AlongDirection<V> {
     /// An axis that is not finite; all axes 0.
     pub fn new(direction: V) -> Result<Self, ParameterError> {
         Requirement::Finite.check_axes("direction", direction)?;
-        // Not the length, which may be out of range where the direction is not.
-        Requirement::Positive.check("direction's largest axis", largest_axis(direction))?;
+        // By the largest axis: the length may be out of range where the direction is not.
+        Requirement::Positive.check("direction's length", largest_axis(direction))?;
         let (_, direction) = length_and_direction(direction, V::zero());
         Ok(Self { direction })
     }

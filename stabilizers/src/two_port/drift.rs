@@ -64,7 +64,7 @@ impl<S, V: Signal> DriftCompensated<S, V> {
         Ok(meeting)
     }
 
-    /// Displacement of the port from its position without corrections, m.
+    /// Displacement of the port from its position without corrections, m; a rejected tick, whose flow is 0, is none of it.
     pub fn drift(&self) -> V {
         self.drift
     }
@@ -111,8 +111,7 @@ where
         let spent = (correction.effort - flow).inner(sample.velocity) * sample.period;
         self.stabilizer.spend(spent);
         let drift = self.drift + (flow - effort).scale(sample.period);
-        // A flow that a rejected tick held back is a part of the drift too.
-        self.drift = V::choose(drift.finite() & sample.timed(), drift, self.drift);
+        self.drift = V::choose(correction.accepted & drift.finite(), drift, self.drift);
         Correction { effort: flow, ..correction }.checked()
     }
 }
