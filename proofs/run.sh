@@ -25,6 +25,6 @@ CARGO_TARGET_DIR=$built cargo build --quiet --release --manifest-path proofs/Car
 CARGO_TARGET_DIR=$built cargo test --quiet --release --manifest-path proofs/Cargo.toml
 rm -rf "$built/queries"
 "$built/release/lyapunov-proofs" "$built/queries"
-# What is not decided fails, so a query gets far more than the 20 s of the longest one.
+# What is not decided fails, so a query gets far more than the half minute of the longest one.
 "$venv/bin/python" proofs/solve.py "$built/queries/index.tsv" 120 "$built/results-$mode.tsv" "$mode"
 [ "$mode" = quick ] || "$venv/bin/python" proofs/table.py "$built/results-all.tsv" docs/proofs.md

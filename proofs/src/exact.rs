@@ -12,7 +12,7 @@ use crate::fresh::{Axes, equal, parameter};
 use crate::paths::{self, Path, assume};
 use crate::smt::Query;
 use crate::symbolic::{Symbolic, Truth};
-use crate::tape::{self, Node};
+use crate::tape::{self, Node, Place};
 
 type Of = Symbolic;
 
@@ -20,8 +20,8 @@ type Of = Symbolic;
 pub(crate) struct Claim {
     pub(crate) name: &'static str,
     pub(crate) paths: fn() -> Vec<Path<Truth>>,
-    /// A number that is free but for what another claim shows of it.
-    pub(crate) cut: fn() -> Option<(Symbolic, Truth)>,
+    /// Numbers that are free but for what other claims show of them.
+    pub(crate) cuts: fn() -> Vec<(Symbolic, Truth)>,
 }
 
 impl Claim {
@@ -37,7 +37,7 @@ impl Claim {
 
     fn ask(&self, goal: impl Fn(&Path<Truth>) -> Vec<Truth>) -> Query {
         let paths = (self.paths)();
-        let cut = (self.cut)();
+        let cuts = (self.cuts)();
         let cases = paths
             .into_iter()
             .map(|path| {
@@ -47,12 +47,12 @@ impl Claim {
                     .iter()
                     .copied()
                     .chain(decided)
-                    .chain(cut.map(|it| it.1))
+                    .chain(cuts.iter().map(|it| it.1))
                     .chain(goal(&path))
                     .collect()
             })
             .collect();
-        Query { cases, cuts: cut.map(|it| it.0).into_iter().collect() }
+        Query { cases, cuts: cuts.into_iter().map(|it| it.0).collect() }
     }
 }
 
@@ -142,23 +142,46 @@ fn energy_bounded_as_published() -> Vec<Path<Truth>> {
 /// The root in the published band: `S ≥ 0` and `S² ≤ F² + (c2 Δx)²`.
 fn root_of_the_band() -> Vec<Path<Truth>> {
     energy_bounded_as_published();
-    paths::every(|| published_root().1)
+    paths::every(|| band_root().1)
 }
 
-/// The root that was recorded last, and what is said of it.
-fn published_root() -> (Of, Truth) {
-    let size = tape::with(|tape| {
-        tape.places()
-            .rev()
-            .find(|place| match tape.node(*place) {
-                Node::Mul(_, root) => matches!(tape.node(root), Node::Root(_)),
-                _ => false,
-            })
-            .map(Symbolic)
+/// The root of what is left over a sample longer than `T`: `K ≥ 0` and
+/// `K² ≤ F² + 2 c2 (F Δx + b Δx² / T(k))`.
+fn root_of_a_longer_sample() -> Vec<Path<Truth>> {
+    energy_bounded_as_published();
+    paths::every(|| {
+        let longest = positive("usual").larger(positive("period"));
+        assume(at_least(Of::of(2.0) * positive("damping"), positive("c2") * longest));
+        longer_root().1
     })
-    .expect("a root on the tape");
+}
+
+/// The root of the band, which is recorded first, and what is said of it.
+fn band_root() -> (Of, Truth) {
+    let size = root(|roots| roots.next());
     let (force, given) = (free("force"), positive("c2") * free("moved"));
     (size, at_least(size, zero()) & at_least(force * force + given * given, size * size))
+}
+
+/// The root of a longer sample, which is recorded last, and what is said of it.
+fn longer_root() -> (Of, Truth) {
+    let size = root(|roots| roots.last());
+    let [damping, usual, period, release] = ["damping", "usual", "period", "c2"].map(positive);
+    let (force, moved, one) = (free("force"), free("moved"), Of::of(1.0));
+    let burnt = damping / usual * (usual / period).smaller(one) * (moved * moved);
+    let left = force * force + Of::of(2.0) * release * (force * moved + burnt);
+    (size, at_least(size, zero()) & at_least(left, size * size))
+}
+
+/// One of the products with a root on the tape.
+fn root(which: impl FnOnce(&mut dyn Iterator<Item = Place>) -> Option<Place>) -> Of {
+    let place = tape::with(|tape| {
+        which(&mut tape.places().filter(|place| match tape.node(*place) {
+            Node::Mul(_, root) => matches!(tape.node(root), Node::Root(_)),
+            _ => false,
+        }))
+    });
+    place.map(Symbolic).expect("a root on the tape")
 }
 
 /// Tank: its content stays, if the next displacement is a share of `v T`.
@@ -322,22 +345,23 @@ fn filtered() -> Vec<Path<Truth>> {
 }
 
 pub(crate) const CLAIMS: &[Claim] = &[
-    Claim { name: "popc-serves", paths: served, cut: || None },
+    Claim { name: "popc-serves", paths: served, cuts: Vec::new },
     Claim {
         name: "force-bound",
         paths: || force_bounded(|b| ForceBound::new(b).expect("a damping")),
-        cut: || None,
+        cuts: Vec::new,
     },
     Claim {
         name: "force-bounding",
         paths: || force_bounded(|b| ForceBounding::of_damping(b).expect("a damping")),
-        cut: || None,
+        cuts: Vec::new,
     },
-    Claim { name: "energy-bounding-root", paths: root_of_the_band, cut: || None },
+    Claim { name: "energy-bounding-root", paths: root_of_the_band, cuts: Vec::new },
+    Claim { name: "energy-bounding-longer", paths: root_of_a_longer_sample, cuts: Vec::new },
     Claim {
         name: "energy-bounding",
         paths: energy_bounded_as_published,
-        cut: || Some(published_root()),
+        cuts: || vec![band_root(), longer_root()],
     },
     Claim {
         name: "energy-bounding-tight",
@@ -347,14 +371,14 @@ pub(crate) const CLAIMS: &[Claim] = &[
                 (EnergyBounding::tight(damping, usual).expect("a damping"), slope)
             })
         },
-        cut: || None,
+        cuts: Vec::new,
     },
-    Claim { name: "slope-bound", paths: slope_bound, cut: || None },
-    Claim { name: "tank", paths: tank, cut: || None },
-    Claim { name: "energy-tank", paths: energy_tank, cut: || None },
-    Claim { name: "least-norm", paths: least_norm, cut: || None },
-    Claim { name: "two-port", paths: two_port, cut: || None },
-    Claim { name: "two-layer", paths: two_layer, cut: || None },
-    Claim { name: "wave-transform", paths: waves, cut: || None },
-    Claim { name: "wave-filter", paths: filtered, cut: || None },
+    Claim { name: "slope-bound", paths: slope_bound, cuts: Vec::new },
+    Claim { name: "tank", paths: tank, cuts: Vec::new },
+    Claim { name: "energy-tank", paths: energy_tank, cuts: Vec::new },
+    Claim { name: "least-norm", paths: least_norm, cuts: Vec::new },
+    Claim { name: "two-port", paths: two_port, cuts: Vec::new },
+    Claim { name: "two-layer", paths: two_layer, cuts: Vec::new },
+    Claim { name: "wave-transform", paths: waves, cuts: Vec::new },
+    Claim { name: "wave-filter", paths: filtered, cuts: Vec::new },
 ];

@@ -259,7 +259,7 @@ pub(crate) fn on_one_axis() -> Vec<Member> {
         member("path-memory", Any, || {
             let memory = || PathMemory::<Of, 4>::beyond(surface(), depth());
             let made = || other(memory().expect("a memory"));
-            step::<Of, _>(made, |(forces, debt)| none_negative(forces) & never_negative(*debt))
+            step::<Of, _>(made, |(forces, energy)| none_negative(forces) & never_negative(-*energy))
         }),
     ];
     of_every_signal::<Of>().chain(alone).collect()
