@@ -50,7 +50,7 @@ fn by_hand(name: &str) -> Option<AnyStabilizer<f64>> {
             AnyStabilizer::new(popc.summed_by(sum))
         }
         "popc-contact-reset" => AnyStabilizer::new(popc.reset_at(InContact { position: 0.001 })),
-        "popc-threshold" => AnyStabilizer::new(popc.above_velocity(1e-5 / PERIOD).unwrap()),
+        "popc-threshold" => AnyStabilizer::new(popc.above_velocity(1.5e-5 / PERIOD).unwrap()),
         "popc-spread" => AnyStabilizer::new(popc.spread_over(4).unwrap()),
         "popc-rising" => AnyStabilizer::new(popc.rising_over(4).unwrap()),
         "popc-rate-limited" => {
@@ -133,6 +133,21 @@ fn each_stabilizer_is_set_as_the_page_says() {
         built += 1;
     }
     assert_eq!(built, 18);
+}
+
+/// Differences of two counts over the period round to either side of one count a tick.
+#[test]
+fn ticks_of_one_count_are_below_the_threshold() {
+    let count = 2e-5;
+    let scene = Scene::parse(&SCENE.replace("1e-5", "2e-5"), "test").unwrap();
+    let rows = rows_under(&scene, "popc-threshold".parse().unwrap());
+    let ticks = |row: &Row| (row.v * PERIOD / count).abs().round();
+    assert!(rows.iter().all(|row| row.alpha == 0.0 || ticks(row) >= 2.0));
+    assert!(rows.iter().any(|row| row.alpha > 0.0 && ticks(row) == 2.0));
+    let owed = |row: &&Row| ticks(row) == 1.0 && row.shortfall > 0.0;
+    let above = rows.iter().filter(owed).filter(|row| row.v.abs() > count / PERIOD).count();
+    let below = rows.iter().filter(owed).filter(|row| row.v.abs() < count / PERIOD).count();
+    assert!(above > 0 && below > 0, "{above} above, {below} below");
 }
 
 fn rows_under(scene: &Scene, member: StabilizerName) -> Vec<Row> {

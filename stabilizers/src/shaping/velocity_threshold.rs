@@ -12,8 +12,9 @@ use crate::account::lends;
 /// A debt at a small velocity requires a large damping, and where the velocity is mostly noise, so is its sign: the
 /// correction then chatters. Hannaford and Ryu (IEEE Transactions on Robotics and Automation 18(1), 2002) see this in
 /// their experiments. Below the threshold nothing is corrected, the whole debt is reported as shortfall, and it is
-/// served once the motion is fast enough. Choose a threshold of the order of the velocity's resolution, one encoder
-/// count over the period. 0 changes no bit.
+/// served once the motion is fast enough. Slower swings are left alone, so a loop may swing on where the stabilizer
+/// alone settles it. Choose a threshold between one and two encoder counts over the period, as 1.5: the difference of
+/// two positions may round to either side of one. 0 changes no bit.
 ///
 /// ```
 /// use lyapunov_core::{HeldTick, PortEnergy, Stabilizer};

@@ -62,9 +62,10 @@ impl Basis {
         self.reference.as_ref().map_or(self.pressed, |it| it.stored::<f64>(x, v)).max(0.0)
     }
 
-    /// The speed above which a velocity is more than noise, m/s.
+    /// The speed above which a velocity is more than noise, m/s. The difference of two positions that are one count
+    /// apart may round to either side of one count a tick, and the next speed is two.
     pub(super) fn threshold(&self) -> f64 {
-        self.count.map_or(0.01 * self.speed, |count| count / self.limit.period)
+        self.count.map_or(0.01 * self.speed, |count| 1.5 * count / self.limit.period)
     }
 
     /// The number of ticks over which a correction is spread, or rises.

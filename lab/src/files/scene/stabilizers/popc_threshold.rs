@@ -13,8 +13,9 @@ table! {
         words {}
         numbers {
             damping_cap;
-            /// Least velocity that is corrected in m/s, 0 or more; default: one count of the encoder a tick, without an
-            /// encoder a hundredth of the speed of the energy that the motion starts with.
+            /// Least velocity that is corrected in m/s, 0 or more; default: one and a half counts of the encoder a tick,
+            /// without an encoder a hundredth of the speed of the energy that the motion starts with. Slower swings are
+            /// left alone.
             velocity: NonNegative, "m/s", "velocity = 0.01  # m/s",
             |_, on| on.threshold(), |_, on| Search::ratios(1e-3 * on.speed, on.speed);
         }
