@@ -11,7 +11,7 @@ use crate::measure::{Balance, LinearPart};
 use crate::show::described;
 use crate::show::table::{Cell, Heading, Table};
 use crate::show::verdict::by_speed;
-use crate::text::{folded, found, given, near_one};
+use crate::text::{counted, folded, found, given, near_one};
 
 impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -97,16 +97,19 @@ impl Explanation {
     fn write_groups(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let DimensionlessGroups { krt_over_b, kr2t2_over_m, brt_over_m, delay_ticks } = self.groups;
         let told = |value: Option<f64>| value.map_or("-".to_owned(), |it| found(it).to_string());
-        writeln!(
+        write!(
             f,
-            "  groups       K r T / b = {}, K (r T)^2 / m = {}, B r T / m = {}, delay {delay_ticks} {};\n\
-             {:15}K r T / b below 2 is passive, of a plain spring without delay",
+            "  groups       K r T / b = {}, K (r T)^2 / m = {}, B r T / m = {}, delay {}",
             told(krt_over_b),
             told(kr2t2_over_m),
             told(brt_over_m),
-            if delay_ticks == 1 { "tick" } else { "ticks" },
-            ""
-        )
+            counted(delay_ticks.into(), "tick")
+        )?;
+        if krt_over_b.is_some() && delay_ticks == 0 {
+            let rule = "K r T / b below 2 is passive, of a plain spring without delay";
+            write!(f, ";\n{:15}{rule}", "")?;
+        }
+        writeln!(f)
     }
 
     /// The way in which the remedies were tried, and the outcome of all of them.
