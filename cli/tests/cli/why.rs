@@ -104,6 +104,47 @@ fn a_remedy_put_into_the_file_ends_what_grows() {
     assert_eq!(explained.out.matches("its delay is then").count(), 1);
 }
 
+/// A run that a saturation keeps bounded has the reason of the loop that is not stable; not under a stabilizer.
+#[test]
+fn a_run_that_swings_in_an_unstable_loop_has_its_reason() {
+    let place = place();
+    let reason = "times what the linear loop bears by itself";
+    place.put("limited.toml", format!("{WALL}effects.saturation.force = 8\n"));
+    let run = place.run(["run", "limited.toml", "--out", "out"]);
+    run.ended(
+        0,
+        &["verdict swinging", "why", reason, "the saturation bounds the run", "`lyapunov explain`"],
+    );
+    assert!(place.text("out/report.html").contains("the saturation bounds the run"));
+    // A friction that holds it is not named.
+    place.put(
+        "rubbed.toml",
+        format!("{WALL}effects.friction.coulomb = 5\n").replace("-0.004", "-1e-4"),
+    );
+    let rubbed = place.run(["run", "rubbed.toml"]);
+    assert!(!rubbed.out.contains("saturation"), "{}", rubbed.out);
+    assert_eq!(rubbed.out.contains("swinging"), rubbed.out.contains("why"), "{}", rubbed.out);
+    place.put("held.toml", format!("{WALL}effects.saturation.force = 8\nstabilizer.popc = {{}}\n"));
+    let held = place.run(["run", "held.toml"]);
+    assert!(!held.out.contains("grows") && !held.out.contains("why"), "{}", held.out);
+}
+
+#[test]
+fn the_rule_of_a_passive_spring_stands_where_it_holds() {
+    let place = place();
+    let rule = "K r T / b below 2 is passive";
+    place.run(["explain", "wall.toml"]).ended(0, &[rule]);
+    for (name, scene) in [
+        ("late.toml", format!("{WALL}effects.delay.ticks = 1\n")),
+        ("bare.toml", WALL.replace("damping = 3.0", "damping = 0.0")),
+    ] {
+        place.put(name, scene);
+        let told = place.run(["explain", name]);
+        told.ended(0, &["groups", "delay"]);
+        assert!(!told.out.contains(rule), "{}", told.out);
+    }
+}
+
 #[test]
 fn bad_input_is_refused() {
     let place = place();

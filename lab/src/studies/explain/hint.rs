@@ -5,6 +5,7 @@ use std::fmt;
 use crate::files::Scene;
 use crate::files::scene::Integrator;
 use crate::measure::{Limits, LinearPart, Summary, Verdict};
+use crate::simulate::Stabilizing;
 use crate::text::{folded, found, given, near_one};
 
 /// The reason where a run left the range of the numbers and no force had acted.
@@ -15,11 +16,12 @@ pub(super) const LEFT: &str =
 pub(super) const TRANSIENT: &str =
     "the loop is linear and stable: the growth is a beat or a transient; run longer";
 
-/// The last line under a run that grows.
+/// The last line under a reason.
 pub(crate) const NEXT: &str = "`lyapunov explain` says where the energy came from and what helps";
 
-/// The reason why a run grows: its `Display` gives it with the command that says more. Under a run that starts in balance
-/// and stays there it is a remark on that, and under another run nothing.
+/// The reason why a run grows, or swings in a linear loop that is not stable and that nothing stabilizes: its `Display` gives
+/// it with the command that says more. Under a run that starts in balance and stays there it is a remark on that, and under
+/// another run nothing.
 #[derive(Clone, Debug)]
 pub struct Hint<'a>(&'a Summary);
 
@@ -29,7 +31,7 @@ impl<'a> Hint<'a> {
         Self(summary)
     }
 
-    /// The reason or the remark, in one sentence; none under a run that needs neither.
+    /// The reason why a run grows, or the remark, in one sentence; none under a run that does not grow and needs no remark.
     pub fn sentence(&self) -> Option<String> {
         if self.0.verdict() == Verdict::Grows {
             return Some(self.reason());
@@ -41,6 +43,26 @@ impl<'a> Hint<'a> {
     pub(crate) fn remark(&self) -> Option<String> {
         let in_balance = self.0.fate.criterion(0).starts_in_balance;
         (in_balance && self.0.settling_time() == Some(0.0)).then(|| undisturbed(&self.0.scene))
+    }
+
+    /// The reason why the run grows or swings.
+    fn why(&self) -> Option<String> {
+        match self.0.verdict() {
+            Verdict::Grows => Some(self.reason()),
+            Verdict::Swinging if self.is_loose() => {
+                let is_limited = self.0.scene.effects.saturation.is_some();
+                let bound = if is_limited { "; the saturation bounds the run" } else { "" };
+                Some(self.reason() + bound)
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a force acts in a linear loop that is not stable and that nothing stabilizes.
+    fn is_loose(&self) -> bool {
+        let is_unstable =
+            || LinearPart::of(&self.0.scene).is_ok_and(|part| part.spectral_radius() > 1.0);
+        self.0.acts() && self.0.stabilizing == Stabilizing::Table(None) && is_unstable()
     }
 
     /// The reason, as far as a formula gives one, in the words of [`Explanation`](super::Explanation).
@@ -113,11 +135,13 @@ impl<'a> Hint<'a> {
 
 impl fmt::Display for Hint<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some(sentence) = self.sentence() else { return Ok(()) };
-        if self.0.verdict() != Verdict::Grows {
-            return writeln!(f, "{}", folded("  note         ", &sentence));
+        match (self.why(), self.remark()) {
+            (Some(why), _) => {
+                writeln!(f, "{}\n               {NEXT}", folded("  why          ", &why))
+            }
+            (None, Some(remark)) => writeln!(f, "{}", folded("  note         ", &remark)),
+            (None, None) => Ok(()),
         }
-        writeln!(f, "{}\n               {NEXT}", folded("  why          ", &sentence))
     }
 }
 
