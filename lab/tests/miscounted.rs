@@ -22,7 +22,10 @@ fn a_debt_that_the_encoder_made_is_told() {
         ]))
     };
     let coarse = run(wall, 2e-4, 1);
-    shows(&coarse.look_at(), Sign::Miscounted, &["22.78 mJ", "0.1888 mJ went into the port"]);
+    // 0.2 mm a tick of 1 ms, at half of tan(pi / 8) times 0.27 kg a tick.
+    let count = "less: one count (200 mm/s) at the limit of 55.92 N.s/m is 11.18 N";
+    let words = ["22.78 mJ", "0.1888 mJ went into the port", "a smaller damping_cap", count];
+    shows(&coarse.look_at(), Sign::Miscounted, &words);
     assert!(coarse.absorbed > 0.0 && coarse.observed_energy_least < -0.02);
     assert_eq!(run(wall, 5e-6, 1).look_at(), []);
     // Half of this debt is the true port's.

@@ -74,6 +74,13 @@ impl Draft {
         (self.servo_rate.get() / self.environment_rate()).round() as u64
     }
 
+    /// One count of the encoder where the velocity is the plain difference of two of its positions, m.
+    pub fn plain_count(&self) -> Option<f64> {
+        let is_plain =
+            self.velocity == Velocity::BackwardDifference && self.effects.filter.is_none();
+        self.effects.encoder.filter(|_| is_plain).map(|it| it.resolution.get())
+    }
+
     /// Dimensions of the space: 1, 2 or 3.
     pub fn dimensions(&self) -> usize {
         self.space.map_or(1, |space| space.dimensions.get().into())

@@ -3,6 +3,7 @@
 use lyapunov::Scalar;
 
 use super::{Oddity, Sign};
+use crate::files::Scene;
 use crate::simulate::{Space, Tick};
 use crate::text::found;
 
@@ -72,7 +73,7 @@ impl Miscount {
     }
 
     /// The sign of a stabilizer that still brakes at the end for a debt of which the true port knows nothing.
-    pub(super) fn finish(&self) -> Option<Oddity> {
+    pub(super) fn finish(&self, scene: &Scene) -> Option<Oddity> {
         let [true_work, measured] = self.work;
         let stands = self.standing as f64 >= LAST * self.ticks as f64 && self.braking >= BRAKES;
         let is_made = true_work - measured >= MADE * self.owed && -true_work <= OWN * self.owed;
@@ -81,10 +82,21 @@ impl Miscount {
             let [owed, work] = [self.owed, true_work.abs()].map(|energy| found(1e3 * energy));
             let way = if true_work < 0.0 { "came out of" } else { "went into" };
             let text = format!(
-                "the stabilizer brakes to the end for a debt of {owed} mJ that errors of the measured position made up: on \
-                 the true motion {work} mJ {way} the port"
+                "the stabilizer brakes to the end: its sum has a debt of {owed} mJ due to errors of the measured \
+                 position, not to the motion, by which {work} mJ {way} the port; a smaller damping_cap brakes less{}",
+                of_a_count(scene).unwrap_or_default()
             );
             Oddity::new(Sign::Miscounted, text)
         })
     }
+}
+
+/// The force with which the damping limit answers a tick of one count, in words; none where the velocity of a count is not
+/// plain or no limit is set.
+fn of_a_count(scene: &Scene) -> Option<String> {
+    let velocity = scene.plain_count()? / scene.period();
+    let cap = scene.stabilizer.and(Some(scene.damping_cap())).filter(|cap| cap.is_finite())?;
+    let limit = scene.damping(cap).limit::<f64>().ok()?.most();
+    let [speed, most, force] = [1e3 * velocity, limit, limit * velocity].map(found);
+    Some(format!(": one count ({speed} mm/s) at the limit of {most} N.s/m is {force} N"))
 }

@@ -6,7 +6,7 @@ use super::miscount::Miscount;
 use super::{Oddity, Sign, scene};
 use crate::files::Scene;
 use crate::simulate::{Space, Tick};
-use crate::text::{found, given};
+use crate::text::{counted, found, given};
 
 /// Ticks without effect, of a force on its way or of a correction, that are no chance yet.
 const WAIT: u64 = 20;
@@ -97,7 +97,7 @@ impl RunSigns {
         let mut signs = scene::signs(scene);
         // A position in a wrong unit is the cause, and told already.
         let has_unit = signs.iter().any(|it| it.sign == Sign::Unit);
-        let miscount = self.miscount.finish().filter(|_| !has_unit);
+        let miscount = self.miscount.finish(scene).filter(|_| !has_unit);
         let further = [self.idle(scene), self.clipped(), self.driven(), miscount];
         signs.extend(further.into_iter().flatten());
         signs
@@ -108,16 +108,11 @@ impl RunSigns {
         let ticks = self.ticks;
         if self.environment != 0.0 {
             let waits = self.ticks - self.first.unwrap_or(0) >= WAIT.min(self.ticks);
-            let delay = u64::from(scene.delay_ticks());
-            let is_idle = self.applied == 0.0 && (waits || delay >= ticks);
-            let why = match delay {
-                0 => "check the stabilizer".to_owned(),
-                delay => format!("the delay is {delay} ticks"),
-            };
+            let is_idle = self.applied == 0.0 && (waits || u64::from(scene.delay_ticks()) >= ticks);
             let most = found(self.environment);
             return is_idle.then(|| {
                 let text = format!("f_env reaches {most} N, and f_act is 0 {}", on_all(ticks));
-                Oddity::new(Sign::Idle, format!("{text}: {why}"))
+                Oddity::new(Sign::Idle, format!("{text}: {}", self.withheld(scene)))
             });
         }
         if ticks == 0 {
@@ -131,6 +126,19 @@ impl RunSigns {
         Some(Oddity::new(Sign::Untouched, text))
     }
 
+    /// What keeps the environment's force from the plant.
+    fn withheld(&self, scene: &Scene) -> String {
+        let delay = scene.delay_ticks();
+        if self.first.unwrap_or(0) + u64::from(delay) >= self.ticks {
+            return format!("the delay is {}", counted(delay as usize, "tick"));
+        }
+        let why = match scene.device.damping.get() == 0.0 {
+            true => "; device.damping is 0, and force-bound and force-bounding spend that damping",
+            false => "",
+        };
+        format!("the stabilizer lets none of it through{why}")
+    }
+
     /// Where the plant is and where the environment begins.
     fn out_of_touch(&self, scene: &Scene) -> String {
         let stands = scene.environment.kind().frequency().is_none();
@@ -141,7 +149,7 @@ impl RunSigns {
         if self.high > surface {
             format!("x reaches {high} mm, beyond the surface at {place} mm, but nothing pushes")
         } else {
-            format!("x stays below {high} mm, and the surface is at {place} mm")
+            format!("x does not go beyond {high} mm, and the surface is at {place} mm")
         }
     }
 
