@@ -125,6 +125,12 @@ fn a_cap_above_the_limit_of_the_delay_is_told_and_each_cap_as_a_limit() {
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     };
     let (late, prompt) = (told("[effects.delay]\nticks = 2\n"), told(""));
+    for text in [&late, &prompt] {
+        assert!(text.contains("note: a tuned damping_cap may stand close to the floor"), "{text}");
+        assert!(!text.contains("a saturation may bound"), "{text}");
+    }
+    let limited = told("[effects.saturation]\nforce = 30\n");
+    assert!(limited.contains("note: a saturation may bound a run"), "{limited}");
     assert!(late.contains("note: popc default"), "{late}");
     let sentence = "the damping cap is above 0.133974596 m / T, the limit for a delay of 2 ticks";
     assert!(late.contains(sentence), "{late}");

@@ -64,6 +64,12 @@ pub(crate) fn exceeded_cap(scene: &Scene) -> Option<String> {
     Some(format!("the damping cap is above {limit} m / T, the limit for a delay of {ticks}"))
 }
 
+/// The remark on the saturation of a scene, which bounds what would grow without it.
+pub(crate) fn saturated(scene: &Scene) -> Option<String> {
+    let told = "a saturation may bound a run that grows without it: compare the runs that settle";
+    scene.effects.saturation.map(|_| told.to_owned())
+}
+
 /// A number of a stabilizer in words; none where it has no value.
 fn number(parameter: &Parameter) -> Option<String> {
     let value = parameter.value()?;

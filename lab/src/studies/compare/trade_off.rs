@@ -10,6 +10,7 @@ use super::entrants::Entrants;
 use crate::files::scene::{Environment, NonNegative, Positive, Scene};
 use crate::measure::quantile::median;
 use crate::show::csv::{self, Field};
+use crate::show::described::saturated;
 use crate::simulate::family::BasicName;
 use crate::simulate::{Criterion, Space};
 use crate::text::{file_name, found, given, shortened_names};
@@ -44,6 +45,8 @@ pub struct TradeOff {
     alone: Option<usize>,
     /// Whether runs are bounded, and none of them touches its wall.
     is_untouched: bool,
+    /// The remark on a saturation.
+    saturated: Option<String>,
 }
 
 /// Common walls below which their median says little.
@@ -94,7 +97,8 @@ impl TradeOff {
         let errors: Result<Vec<_>, _> = walls.par_iter().map(of_wall).collect();
         let names = comparison.scores().map(|score| score.stabilizer.clone()).collect();
         let title = format!("{}: {}", file_name(&comparison.name), range(&walls));
-        Ok(Some(Self::told(title, names, &errors?)))
+        let saturated = saturated(&comparison.scene);
+        Ok(Some(Self { saturated, ..Self::told(title, names, &errors?) }))
     }
 
     /// The trade-off from the force errors of all entrants, wall by wall; an error is none where the run is not bounded.
@@ -122,11 +126,18 @@ impl TradeOff {
         let (walls, common) = (errors.len(), common.len());
         let mut bounded = errors.iter().flatten().flatten().peekable();
         let is_untouched = bounded.peek().is_some() && bounded.all(|error| error.is_nan());
-        Self { title, rows: rows.collect(), walls, common, alone, is_untouched }
+        Self { title, rows: rows.collect(), walls, common, alone, is_untouched, saturated: None }
+    }
+
+    /// The remarks that the figure needs, without the last full stop.
+    pub fn note(&self) -> Option<String> {
+        let saturated = self.saturated.as_ref().map(|it| format!("Note: {it}"));
+        let notes: Vec<String> = self.lack().into_iter().chain(saturated).collect();
+        (!notes.is_empty()).then(|| notes.join(". "))
     }
 
     /// The reason why there are no common walls, or few; none where there are enough.
-    pub fn note(&self) -> Option<String> {
+    fn lack(&self) -> Option<String> {
         let Self { walls, common, is_untouched, .. } = *self;
         let is_nobody = |name: &str| name == BasicName::NoStabilizer.name();
         if self.rows.iter().all(|(name, ..)| is_nobody(name)) {
@@ -282,6 +293,18 @@ mod tests {
         assert!(of(&["none"], &[&[held]]).note().unwrap().contains("no stabilizer takes part"));
         let wall: &[Option<f64>] = &[grows, held];
         assert_eq!(of(&names, &[wall; FEW]).note(), None);
+    }
+
+    #[test]
+    fn a_saturation_is_told_beside_the_other_remarks() {
+        let saturated = Some("a limit".to_owned());
+        let note = |wall: [Option<f64>; 2], count: usize| {
+            let told = of(&["none", "popc"], &vec![&wall[..]; count]);
+            TradeOff { saturated: saturated.clone(), ..told }.note().unwrap()
+        };
+        assert_eq!(note([None, Some(0.5)], FEW), "Note: a limit");
+        let both = note([None, Some(0.5)], 1);
+        assert!(both.starts_with("Common walls: 1 only") && both.ends_with(". Note: a limit"));
     }
 
     #[test]

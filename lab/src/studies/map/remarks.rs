@@ -1,7 +1,8 @@
 //! Remarks on what a scene makes of its axes.
 
 use super::axis::Axis;
-use crate::files::scene::{Filter, Scene, Stabilizer, Velocity};
+use crate::files::scene::{Filter, Scene, Stabilizer};
+use crate::show::described::saturated;
 use crate::text::{found, given};
 
 /// The remarks that a map or sweep of `scene` along `axes` needs.
@@ -9,22 +10,12 @@ pub(super) fn remarks(scene: &Scene, axes: &[&Axis]) -> impl Iterator<Item = Str
     [in_ticks(scene, axes), in_counts(scene, axes), saturated(scene)].into_iter().flatten()
 }
 
-/// Remark on a saturation, which bounds what would grow without it.
-fn saturated(scene: &Scene) -> Option<String> {
-    let is_limited = scene.effects.saturation.is_some();
-    is_limited.then(|| {
-        "a saturation may bound a run that grows without it: compare the runs that settle"
-            .to_owned()
-    })
-}
-
 /// One count of the encoder as a velocity, where an axis changes the length of a tick.
 fn in_counts(scene: &Scene, axes: &[&Axis]) -> Option<String> {
     let rate = axes.iter().find(|axis| axis.key == "servo_rate")?;
-    let count = scene.effects.encoder?.resolution.get();
+    let count = scene.plain_count()?;
     let is_one = !axes.iter().any(|axis| axis.key == "effects.encoder.resolution");
-    let is_difference = scene.velocity == Velocity::BackwardDifference;
-    (is_one && is_difference && scene.effects.filter.is_none()).then(|| {
+    is_one.then(|| {
         let [from, to] = [rate.from, rate.to].map(|rate| (found(1e3 * count * rate), given(rate)));
         format!(
             "one count of the encoder is a velocity of {} mm/s at {} Hz and {} mm/s at {} Hz",

@@ -36,7 +36,8 @@ pub fn table(name: &str, tuning: &Tuning, tuned: &[Tuned]) -> String {
     )
 }
 
-/// Remarks on a judgement: runs that are too short, costs that are all the duration, stabilizers that chance may order.
+/// Remarks on a judgement: runs that are too short, costs that are all the duration, stabilizers that chance may order, caps,
+/// a saturation.
 pub(super) fn remarks(objective: Objective, tuned: &[Tuned]) -> Vec<String> {
     let judged = || tuned.iter().flat_map(|one| &one.judged);
     let runs = judged().map(Trial::runs).max().unwrap_or(0);
@@ -60,7 +61,18 @@ pub(super) fn remarks(objective: Objective, tuned: &[Tuned]) -> Vec<String> {
          where they rest elsewhere"
             .to_owned()
     });
-    too_short.into_iter().chain(idle).chain(level(tuned)).chain(exceeded_caps(tuned)).collect()
+    let saturated = tuned.first().and_then(|one| described::saturated(&one.scene));
+    let others = [level(tuned), exceeded_caps(tuned), saturated, near_floor(tuned)];
+    too_short.into_iter().chain(idle).chain(others.into_iter().flatten()).collect()
+}
+
+/// The remark on a cap that was tuned, which the search takes down to where runs begin to grow.
+fn near_floor(tuned: &[Tuned]) -> Option<String> {
+    let mut numbers = tuned.iter().flat_map(|one| one.settings[1].numbers());
+    let is_cap = numbers.any(|it| it.name() == "damping_cap");
+    let told = "a tuned damping_cap may stand close to the floor below which the loop is lost: sweep it, and stay at twice \
+                the floor or above (docs/tune.md)";
+    is_cap.then(|| told.to_owned())
 }
 
 /// The settings whose damping cap is too high for the delay of the scene, if there are any.
