@@ -22,7 +22,7 @@ impl Sweep {
             (html::figure(Some("verdicts"), &self.verdicts(), &html! { "The verdict on the run at each value." }))
             (self.counts().to_html("short"))
             (self.stretches().to_html("short"))
-            p { "Settles at, bounded at: the stretches of neighbouring values that all settle, and that all settle or swing." }
+            p { "Settles at, bounded at: the stretches of neighbouring values that all settle, and that all settle or swing, the longest first." }
             h2 { "Curves" }
             (html::figure(Some("sweep"), &self.curves(), &html! {
                 "Runs that grow are left out; equal curves are drawn once."

@@ -1,5 +1,6 @@
 //! Tables of a sweep.
 
+use std::cmp::Reverse;
 use std::fmt;
 
 use super::Sweep;
@@ -55,12 +56,12 @@ impl Sweep {
         Table::new(headings).with_rows(rows)
     }
 
-    /// The stretches of neighbouring values at which all verdicts on stabilizer `index` are such.
+    /// The stretches of neighbouring values at which all verdicts on stabilizer `index` are such, the longest first.
     fn stretches_where(&self, index: usize, are_such: fn(Verdict) -> bool) -> Option<String> {
         let is_such = |at: &usize| are_such(self.points[*at].scores[index].verdict);
         let such: Vec<usize> = (0..self.points.len()).filter(is_such).collect();
         let value = |at: usize| found(self.points[at].value);
-        let all = such.chunk_by(|at, next| at + 1 == *next).map(|stretch| match *stretch {
+        let all = longest_first(&such).into_iter().map(|stretch| match *stretch {
             [first, .., last] => format!("{} to {}", value(first), value(last)),
             _ => value(stretch[0]).to_string(),
         });
@@ -84,6 +85,13 @@ impl Sweep {
     }
 }
 
+/// The stretches of neighbours among rising numbers, the longest first.
+fn longest_first(such: &[usize]) -> Vec<&[usize]> {
+    let mut stretches: Vec<&[usize]> = such.chunk_by(|at, next| at + 1 == *next).collect();
+    stretches.sort_by_key(|stretch| Reverse(stretch.len()));
+    stretches
+}
+
 impl fmt::Display for Sweep {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}\n{}", self.name, self.x)?;
@@ -95,5 +103,17 @@ impl fmt::Display for Sweep {
             count if count <= SHOWN => write!(f, "\n{}", self.runs()),
             count => writeln!(f, "\n{count} rows: --out DIR or --json has them"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_stretch_stands_first() {
+        let told = longest_first(&[0, 1, 4, 6, 7, 8, 10, 11]);
+        assert_eq!(told, [&[6, 7, 8][..], &[0, 1], &[10, 11], &[4]]);
+        assert!(longest_first(&[]).is_empty());
     }
 }
