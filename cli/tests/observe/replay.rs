@@ -96,7 +96,7 @@ fn a_port_that_never_gives_asks_for_nothing() {
     }
     // Ten that are equal are too long for a heading.
     let shown = asked(&log, &scene(""), names).unwrap().to_string();
-    assert!(shown.contains("popc = 9 others"), "{shown}");
+    assert!(shown.contains("popc + 9"), "{shown}");
 }
 
 /// A log that is cut where a wall of 2 kN/m is pressed by 4 mm, from where it gives `share` of what it stores.
