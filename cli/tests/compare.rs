@@ -280,7 +280,12 @@ fn every_effect_and_scalar_runs() {
     let scene = fs::read_to_string(shipped("press-1khz.toml")).unwrap();
     fs::write(&path, format!("scalar = \"f32\"\n{scene}\n[effects.saturation]\nforce = 5.0\n"))
         .unwrap();
-    let document = timeless(&text(&compare(&[&path, &"--json"]).stdout));
+    let out = folder.path().join("limited");
+    let document = timeless(&text(&compare(&[&path, &"--json", &"--out", &out]).stdout));
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let told =
+        ["a saturation may bound a run", "<h3>Scene</h3>", "[effects.saturation]", "force = 5.0"];
+    assert!(told.iter().all(|it| page.contains(it)), "{page}");
     assert_eq!(document, timeless(&text(&compare(&[&path, &"--json"]).stdout)));
     let peak = document["rows"][1]["peak_force_short_contact_n"].as_f64().unwrap();
     assert_eq!(peak, 5.0);

@@ -6,6 +6,7 @@ use super::table::{Setting, equal_names, remarks, tables};
 use super::{Broken, Column, Comparison, Score};
 use crate::show::beside::{beside, unfit};
 use crate::show::csv::{self, Field};
+use crate::show::described::EVERY_NUMBER;
 use crate::show::html;
 use lyapunov_figures::Figure;
 
@@ -58,6 +59,9 @@ fn section(index: usize, comparison: &Comparison, figures: &[(&Figure, &str)]) -
         }
         @for table in tables(comparison) { (table.to_html("short")) }
         @for (figure, caption) in figures { (html::figure(None, figure, &html! { (caption) })) }
+        h3 { "Scene" }
+        p { (EVERY_NUMBER) ". Each row has its own stabilizer in place of the scene's." }
+        pre { (toml::to_string(&comparison.scene).unwrap_or_default()) }
     }
 }
 
