@@ -10,6 +10,7 @@ mod floors;
 mod golden;
 mod hard;
 mod identify;
+mod idle;
 mod integrators;
 mod lanes;
 mod late_cap;

@@ -124,23 +124,6 @@ fn a_made_scene_shows_each_sign() {
     told("effects", lost, Sign::Idle, &["effects.dropout.probability is 1"]);
     let late = of_run(&press(&[("duration", "0.5"), ("effects", "{ delay = { ticks = 900 } }")]));
     shows(&late, Sign::Idle, &["f_act is 0 on all 501 ticks", "the delay is 900 ticks"]);
-    // A force that a tick of delay holds back is no sign; one that the stabilizer never gives is.
-    let cut = |damping: &str| {
-        let device = format!("{{ mass = 0.2, damping = {damping} }}");
-        press(&[
-            ("device", &device),
-            ("stabilizer", "{ force-bounding = { damping = 0.0 } }"),
-            ("effects", "{ delay = { ticks = 1 } }"),
-        ])
-    };
-    let none = of_run(&cut("0.0"));
-    shows(&none, Sign::Idle, &["none of it through; device.damping is 0, and force-bound"]);
-    let some = of_run(&cut("2.0"));
-    shows(&some, Sign::Idle, &["the stabilizer lets none of it through"]);
-    assert!(!some[0].text.contains("device.damping") && !some[0].text.contains("delay"));
-    let short = [("duration", "0.001"), ("initial", "{ position = 1e-3 }")];
-    let late = of_run(&press(&[short[0], short[1], ("effects", "{ delay = { ticks = 2 } }")]));
-    shows(&late, Sign::Idle, &["on all 2 ticks: the delay is 2 ticks"]);
     let slow = of_run(&press(&[("servo_rate", "1.0"), ("duration", "60.0")]));
     assert!(slow.iter().any(|it| it.text.contains("servo_rate is 1 Hz")), "{slow:?}");
 }
