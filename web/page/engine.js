@@ -1,6 +1,6 @@
 // The Rust side: text or numbers in, text or numbers out.
 
-import { unpacked } from "./lzma.js";
+import { Packed, unpacked } from "./lzma.js";
 
 const text = new TextEncoder();
 const words = new TextDecoder();
@@ -15,7 +15,7 @@ const HEAD = 7;
 export async function inside(text) {
   const [length, base64] = text.split(" ");
   const packed = Uint8Array.from(atob(base64), (it) => it.charCodeAt(0));
-  return WebAssembly.compile(unpacked(packed, Number(length)));
+  return WebAssembly.compile(unpacked(new Packed(packed), Number(length)));
 }
 
 /** A refusal of the Rust side, in its words. */
