@@ -7,13 +7,18 @@ import { rmSync } from "node:fs";
 
 import { Browser } from "../scripts/chromium.mjs";
 import { chromium, folder, only } from "./tests/driver.mjs";
+import { stale, thrifty } from "./tests/fresh.mjs";
 import { lines } from "./tests/lines.mjs";
 import { book, docs, looks, ranges, searched, thin } from "./tests/looks.mjs";
+import { buttons, dashes, labels, quiet, short } from "./tests/reach.mjs";
 import { dropped, maps, paper, reasons, rows, words } from "./tests/same.mjs";
-import { named, refused, shared, taken } from "./tests/share.mjs";
-import { caps, family, frames, hand, steps } from "./tests/use.mjs";
+import { awaited, named, refused, shared, taken } from "./tests/share.mjs";
+import { caps, family, frames, hand, limit, steps } from "./tests/use.mjs";
 
-const CHECKS = [ranges, thin, words, rows, dropped, maps, steps, family, reasons, caps, hand, frames, shared, taken, named, refused, paper, lines, looks, book, docs, searched];
+const CHECKS = [
+  ranges, thin, thrifty, words, rows, dropped, maps, steps, limit, family, reasons, stale, caps, hand, frames,
+  labels, buttons, quiet, dashes, short, shared, awaited, taken, named, refused, paper, lines, looks, book, docs, searched,
+];
 
 const browser = new Browser(chromium);
 try {

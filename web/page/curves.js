@@ -8,6 +8,8 @@ const PLOTS = [
   { title: "observed energy, mJ", of: "energy", times: 1e3, least: 0.05 },
 ];
 const [LEFT, GAP, TOP, FOOT] = [46, 14, 18, 20];
+/** Pixels of a curve in which dashes go on without a break. */
+const PIECE = 84;
 
 /** A step of 1, 2 or 5 that divides a range into few parts. */
 function step(range, parts) {
@@ -81,9 +83,10 @@ export function draw(canvas, series, from, to) {
 }
 
 /** One curve: for each column of pixels the lowest and the highest value, so that no peak is lost. */
-function curve(c, { rows, columns, colour }, of, times, x, y, width) {
+function curve(c, { rows, columns, colour, dash }, of, times, x, y, width) {
   c.beginPath();
-  let [column, low, high, last] = [null, 0, 0, 0];
+  const pixels = x(1) - x(0);
+  let [column, low, high, last, piece] = [null, 0, 0, 0, 0];
   const flush = () => {
     if (column === null) return;
     c.lineTo(column, low);
@@ -92,11 +95,16 @@ function curve(c, { rows, columns, colour }, of, times, x, y, width) {
   };
   const most = 1e5;
   for (let at = 0; at < rows.length; at += columns.width) {
-    const place = Math.round(x(rows[at]));
+    const time = rows[at];
+    const place = Math.round(x(time));
     const value = Math.max(-most, Math.min(most, y(rows[at + columns[of]] * times)));
     if (place < -2 || place > width + 2) continue;
     if (place !== column) {
       flush();
+      // Dashes begin anew at times that stay where they are while the picture moves: so they move with it.
+      const now = Math.floor((time * pixels) / PIECE);
+      if (dash.length && now !== piece && column !== null) c.moveTo(column, last);
+      piece = now;
       [column, low, high] = [place, value, value];
     } else {
       low = Math.min(low, value);
@@ -105,9 +113,11 @@ function curve(c, { rows, columns, colour }, of, times, x, y, width) {
     last = value;
   }
   flush();
+  c.setLineDash(dash);
   c.strokeStyle = colour;
   c.lineWidth = 1.6;
   // Round joins take as long as all else in a frame, and are not seen at this width.
   c.lineJoin = "bevel";
   c.stroke();
+  c.setLineDash([]);
 }

@@ -5,6 +5,9 @@ import { made } from "./made.js";
 import { VERDICTS, ink, path, sheet } from "./paint.js";
 import { digits } from "./why.js";
 
+/** Points of a small picture, at least. */
+const POINTS = 400;
+
 export class Family {
   constructor(table, words) {
     Object.assign(this, { table, words });
@@ -19,6 +22,7 @@ export class Family {
   }
 
   hear({ run, ends, refused }) {
+    if (refused) this.table.replaceChildren();
     if (refused || ends) return;
     if (this.fresh) {
       const names = ["stabilizer", "verdict", "rests after", "largest force", "position"];
@@ -42,8 +46,7 @@ export class Family {
     row.insertCell().textContent = run.verdict === 2 ? "–" : `${digits(run.peak)} N`;
     const canvas = made("canvas", { className: "spark", ariaHidden: "true" });
     row.insertCell().append(canvas);
-    // What grows is out of any picture that holds all of it: there its beginning sets the scale.
-    const most = Math.max(this.start, widest(run, run.verdict === 2 ? 40 : Infinity), 1e-6);
+    const most = Math.max(this.start, run.widest, 1e-6);
     this.runs.push([canvas, run, most]);
     spark(canvas, run, most);
   }
@@ -53,23 +56,23 @@ export class Family {
   }
 }
 
-/** The largest |x| of the first `count` rows. */
-function widest({ rows }, count) {
-  let most = 0;
-  for (let at = RUN.x; at < Math.min(rows.length, count * RUN.width); at += RUN.width) most = Math.max(most, Math.abs(rows[at]));
-  return most;
+/** What a row of the table shows of a run: not the rows of all ticks, which fill the memory where a run is long. */
+export function pictured({ name, verdict, settled, peak, rows }) {
+  const many = rows.length / RUN.width;
+  const place = (row) => rows[row * RUN.width + RUN.x];
+  // What grows is out of any picture that holds all of it: there its beginning sets the scale.
+  let widest = 0;
+  for (let row = 0; row < (verdict === 2 ? Math.min(many, 40) : many); row += 1) widest = Math.max(widest, Math.abs(place(row)));
+  const by = Math.max(1, Math.floor(many / POINTS));
+  const places = Float64Array.from({ length: Math.ceil(many / by) }, (_, index) => place(index * by));
+  return { name, verdict, settled, peak, widest, places };
 }
 
-function spark(canvas, { rows, verdict }, most) {
+function spark(canvas, { places, verdict }, most) {
   const { context, width, height } = sheet(canvas);
   const colours = ink();
-  const many = rows.length / RUN.width;
-  const points = [];
-  const by = Math.max(1, Math.floor(many / 400));
-  for (let at = 0; at < many; at += by) {
-    const y = rows[at * RUN.width + RUN.x] / most;
-    points.push([(at / many) * width, height / 2 - Math.max(-1.2, Math.min(1.2, y)) * height * 0.4]);
-  }
+  const y = (place) => height / 2 - Math.max(-1.2, Math.min(1.2, place / most)) * height * 0.4;
+  const points = Array.from(places, (place, index) => [(index / places.length) * width, y(place)]);
   path(context, [[0, height / 2], [width, height / 2]], colours.line, 1);
   path(context, points, colours[VERDICTS[verdict]], 1.2);
 }

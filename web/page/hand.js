@@ -14,12 +14,14 @@ export function hands({ canvas, tip, again }, stage, loops) {
     place();
   };
   canvas.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
     reach(loops.hand);
     held = { x: event.clientX, hand: loops.hand };
     canvas.setPointerCapture(event.pointerId);
   });
   canvas.addEventListener("pointermove", (event) => held && reach(held.hand + stage.way(event.clientX - held.x)));
-  for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (held = null));
+  // Comes after every end of a drag, also where the pointer is taken away.
+  canvas.addEventListener("lostpointercapture", () => (held = null));
   canvas.addEventListener("keydown", (event) => {
     const by = event.shiftKey ? 0.002 : 0.0005;
     const to = { ArrowRight: loops.hand + by, ArrowUp: loops.hand + by, ArrowLeft: loops.hand - by, ArrowDown: loops.hand - by, Home: loops.surface - 1, End: loops.surface + 1 }[event.key];

@@ -7,6 +7,11 @@ export function made(tag, about = {}, ...children) {
   return it;
 }
 
+/** Writes a text where another stands: what is written anew is read out anew. */
+export function put(it, text) {
+  if (it.textContent !== text) it.textContent = text;
+}
+
 /** A button that does `press`. */
 export function button(textContent, press) {
   const it = made("button", { type: "button", textContent });

@@ -3,12 +3,14 @@
 import { draw } from "./curves.js";
 import { Engine, LIVE, RUN, inside } from "./engine.js";
 import { Family } from "./family.js";
+import { opener } from "./files.js";
 import { hands } from "./hand.js";
 import { Loops, SEEN } from "./loops.js";
-import { button, made } from "./made.js";
+import { button, made, put } from "./made.js";
 import { StabilityMap } from "./map.js";
-import { VERDICTS, ink, isCalm, onScheme } from "./paint.js";
+import { DASHES, VERDICTS, ink, isCalm, onScheme } from "./paint.js";
 import { PRESETS, list } from "./presets.js";
+import { Questions } from "./questions.js";
 import { address, bare, changed, ofAddress, toml, value } from "./scene.js";
 import { wire } from "./share.js";
 import { fill, moved, unseen } from "./sliders.js";
@@ -22,11 +24,14 @@ const OWN = "lolc-mass-spring-damper";
 const CANDIDATES = { [OWN]: "the wall's damper", "lolc-device-damping": "the device's damper", "lolc-spring": "a spring" };
 /** What the page shows: the scene, the candidate of LOLC, the loop that is explained, what the curves are of. */
 const state = { tree: PRESETS[0].scene, candidate: OWN, under: "none", look: "live" };
-let [engine, worker, words, told] = [null, null, [], 0];
+let [engine, worker, words, open] = [null, null, [], () => {}];
+/** An address whose scene cannot run before a motion is dropped: it stays until then. */
+let wanted = null;
 const names = () => ["none", "popc", state.candidate];
 const TITLES = { none: "no stabilizer", popc: "POPC" };
 const title = (name) => TITLES[name] ?? "LOLC";
-const colour = (name) => ink()[TITLES[name] ? name : "lolc"];
+/** Colour and dashes of the curves of a loop. */
+const line = (index) => ({ colour: ink()[["none", "popc", "lolc"][index]], dash: DASHES[index] });
 
 // The runs from the start.
 
@@ -47,11 +52,11 @@ function cards() {
     const name = names()[index];
     const run = runs.get(name);
     const word = it.querySelector("strong");
-    word.textContent = words[run.verdict];
+    put(word, words[run.verdict]);
     word.className = `word ${VERDICTS[run.verdict]}`;
     const rests = run.verdict === 0 && run.settled >= 0 ? `at rest after ${run.settled.toFixed(2)} s, ` : "";
     const force = run.verdict === 2 ? "" : `at most ${digits(run.peak)} N`;
-    it.querySelector(".told").textContent = run.verdict === 2 ? "the run gets larger and larger" : rests + force;
+    put(it.querySelector(".told"), run.verdict === 2 ? "the run gets larger and larger" : rests + force);
     it.dataset.name = name;
   });
 }
@@ -84,12 +89,12 @@ function frame(now) {
     placed = now;
     place();
   }
-  stage.draw(loops.hand, names().map((name, index) => ({ name: title(name), colour: colour(name), ...loops.seen(index) })));
+  stage.draw(loops.hand, names().map((name, index) => ({ name: title(name), ...line(index), ...loops.seen(index) })));
   if (state.look === "live") {
-    const series = loops.lanes.map(({ rows }, index) => ({ rows, columns: LIVE, colour: colour(names()[index]), tame: loops.tame(index) }));
+    const series = loops.lanes.map(({ rows }, index) => ({ rows, columns: LIVE, tame: loops.tame(index), ...line(index) }));
     draw($("curves"), series, loops.since - SEEN, loops.since);
   } else if (state.stale) {
-    const series = names().map((name) => ({ rows: runs.get(name).rows, columns: RUN, colour: colour(name), tame: runs.get(name).verdict < 2 }));
+    const series = [...runs.values()].map(({ rows, verdict }, index) => ({ rows, columns: RUN, tame: verdict < 2, ...line(index) }));
     draw($("curves"), series, 0, state.tree.duration);
     state.stale = false;
   }
@@ -104,22 +109,13 @@ function look(at) {
 
 // Everything that follows from a scene.
 
-let [show, family, map, later] = [() => {}, null, null, 0];
-
-/** The newest question of each kind. */
-const asked = {};
-
-function ask(kind, about) {
-  told += 1;
-  asked[kind] = told;
-  worker.postMessage({ id: told, kind, ...about });
-}
+let [show, family, map, questions] = [() => {}, null, null, null];
 
 const TIP = "Drag, or use the arrow keys.";
 /** Keeps the scene, and what is shown of it, in the address. */
 function keep() {
   const { tree, candidate, under, look } = state;
-  history.replaceState(null, "", `#${address({ ...tree, page: { candidate, under, look } })}`);
+  if (!wanted) history.replaceState(null, "", `#${address({ ...tree, page: { candidate, under, look } })}`);
 }
 
 const NO_LINES = "There are lines for a wall on a line that answers on every tick, for plain differences, held work and a plain ledger.";
@@ -142,6 +138,7 @@ function update() {
   try {
     rerun();
     $("fault").textContent = "";
+    wanted = null;
   } catch (error) {
     $("fault").textContent = error.message;
     return false;
@@ -161,7 +158,6 @@ function update() {
   clear();
   show(state.tree);
   state.stale = true;
-  map.show(state.tree, names(), title);
   const isTold = hasLines(shown());
   for (const it of $("lines").children) {
     it.disabled = !isTold;
@@ -171,17 +167,15 @@ function update() {
     const name = names()[it.dataset.index];
     it.setAttribute("aria-pressed", String(name === state.under));
   }
-  clearTimeout(later);
-  later = setTimeout(() => {
-    keep();
-    if (framed()) return;
-    $("why-said").textContent = "…";
-    ask("explain", { scene, name: state.under });
+  questions.soon();
+  if (!framed()) {
+    questions.ask("explain", { scene, name: state.under });
     const { operator, initial } = state.tree;
     // In a space these are lists: there the runs alone set the scale.
     family.begin(Math.abs((initial?.position ?? 0) - (operator?.rest ?? 0)) || 0);
-    ask("family", { scene });
-  }, 120);
+    questions.ask("family", { scene });
+  }
+  map.show(state.tree, names(), title);
   return true;
 }
 
@@ -236,8 +230,8 @@ function remedy(set) {
   let tree = isNamed ? changed(state.tree, "stabilizer", undefined) : state.tree;
   for (const [key, to] of Object.entries(set)) tree = changed(tree, key, to);
   if (take(tree, isNamed ? named(tree) : {})) say(`Written: ${written(set)}.`, before);
-  // The button that was pressed is about to vanish, and the focus with it.
-  $("why-said").focus();
+  // The button that was pressed is about to vanish, and the focus with it: to where one reads what it did and takes it back.
+  $("said").focus();
 }
 
 /** The largest force of the scene, where the loop that is explained grows without it. */
@@ -248,13 +242,11 @@ function bounding() {
 }
 
 function hear({ data }) {
-  // What was on its way when the scene changed is of the scene before.
-  if (data.id !== asked[data.kind]) return;
+  if (!questions.hears(data)) return;
   if (data.kind === "family") family.hear(data);
   if (data.kind === "map") map.hear(data);
   if (data.kind !== "explain") return;
-  if (data.refused) $("why-said").textContent = data.refused;
-  else tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, bounding, remedy);
+  tell({ said: $("why-said"), energies: $("energies"), remedies: $("remedies") }, data, bounding, remedy);
 }
 
 function start(preset) {
@@ -267,38 +259,43 @@ function start(preset) {
   place();
 }
 
-/** Opens what was dropped: motions first, since a scene beside them names one. */
-function open(files) {
-  const isMotion = ({ text }) => /^\s*t\s*,\s*rest\s*$/m.test(text.split("\n", 1)[0]);
-  for (const { name, text } of files.filter(isMotion)) {
-    engine.bytes("keep", `${name}\n${text}`);
-    worker.postMessage({ kept: `${name}\n${text}` });
-    $("done").textContent = `${name} is a motion of the hand, kept for the scenes that name it.`;
-  }
-  for (const { name, text } of files.filter((it) => !isMotion(it))) opened(name, text);
+/** Brings a part of the page into view. */
+const sight = (id, block) => $(id).scrollIntoView({ block, behavior: isCalm() ? "auto" : "smooth" });
+
+/** Tells of a file, in view: it may have been dropped far from there. */
+function done(text) {
+  $("done").textContent = text;
+  sight("done", "start");
 }
 
-/** Opens a scene, or observes a log. */
-function opened(name, text) {
+/** Keeps a motion for the scenes that name it, that of the address perhaps. */
+function keepMotion(text) {
+  engine.bytes("keep", text);
+  worker.postMessage({ kept: text });
+  if (!wanted) return;
+  share(wanted);
+  if (!wanted) sight("said", "nearest");
+}
+
+/** Shows what the observer says of a log. */
+function openLog({ name, text }, left) {
   clear();
-  try {
-    if (!/^\s*duration\s*=/m.test(text) && /[,;\t]/.test(text.split("\n", 1)[0])) {
-      $("code").textContent = engine.text("observed", `${name}\n${text}`);
-      $("code").hidden = false;
-      $("done").textContent = `${name} is a log: below is what the observer says of it.`;
-      return;
-    }
-    const tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
-    const chosen = named(tree);
-    if (!take(tree, chosen)) throw new Error($("fault").textContent);
-    look("run");
-    loops.letGo();
-    const other = Object.keys(tree.stabilizer ?? {}).filter(() => chosen.under === "none");
-    say(`The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}`);
-    $("done").textContent = `${name} is open.`;
-  } catch (error) {
-    $("done").textContent = error.message.replaceAll("the scene", () => name);
-  }
+  $("code").textContent = engine.text("observed", `${name}\n${text}`);
+  $("code").hidden = false;
+  done(`${name} is a log: below is what the observer says of it.${left}`);
+}
+
+function openScene({ name, text }, left) {
+  clear();
+  const tree = bare(JSON.parse(engine.text("read", `\n${text}`)));
+  const chosen = named(tree);
+  if (!take(tree, chosen)) throw new Error($("fault").textContent);
+  look("run");
+  loops.letGo();
+  const other = Object.keys(tree.stabilizer ?? {}).filter(() => chosen.under === "none");
+  say(`The scene of ${name}.${other.map((it) => ` Its stabilizer, ${it}, is in the family below.`).join("")}${left}`);
+  $("done").textContent = `${name} is open.${left}`;
+  sight("said", "nearest");
 }
 
 /** Everything that is drawn once is drawn again where its box or its colours change. */
@@ -328,11 +325,11 @@ function choices() {
   for (const [index, word] of VERDICTS.entries()) {
     $("legend").append(made("li", { className: word }, words[index]));
   }
-  $("legend").append(made("li", { className: "bound" }, "exact limit of the linear loop"));
 }
 
 /** Takes the scene of an address, if it holds one. */
 function share({ hash }) {
+  wanted = null;
   let shared = null;
   try {
     shared = ofAddress(hash);
@@ -344,7 +341,10 @@ function share({ hash }) {
   const { page, ...tree } = shared;
   const candidate = CANDIDATES[page?.candidate] ? page.candidate : state.candidate;
   const under = ["none", "popc", candidate].includes(page?.under) ? page.under : "none";
-  if (!take(tree, page ? { candidate, under } : named(tree))) return keep();
+  if (!take(tree, page ? { candidate, under } : named(tree))) {
+    if (/drop it here/.test($("fault").textContent)) wanted = { hash };
+    return keep();
+  }
   say("The scene of this address.");
   loops.letGo();
   if (page?.look === "run" || page?.look === "live" && loops.held) look(page.look);
@@ -363,13 +363,16 @@ async function begin(module, source) {
   worker.addEventListener("message", hear);
   worker.postMessage({ module });
   family = new Family($("members"), words);
-  map = new StabilityMap({ canvas: $("map"), x: $("map-x"), y: $("map-y"), under: $("map-under"), said: $("map-said") }, ask, (moves) =>
+  questions = new Questions($, (it) => worker.postMessage(it), keep);
+  open = opener({ keep: keepMotion, scene: openScene, log: openLog, done });
+  choices();
+  const [x, y, under, said] = ["x", "y", "under", "said"].map((it) => $(`map-${it}`));
+  map = new StabilityMap({ canvas: $("map"), x, y, under, said, legend: $("legend") }, questions, (moves) =>
     take(moves.reduce((tree, [slider, number]) => moved(tree, slider, number), state.tree)));
   show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
-  choices();
   $("alone").addEventListener("click", () => ($("alone").firstChild.href = location.href));
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
-  list({ buttons: $("presets"), claims: $("claims") }, start, () => $("stage").scrollIntoView({ behavior: isCalm() ? "auto" : "smooth" }));
+  list({ buttons: $("presets"), claims: $("claims") }, start, () => sight("stage", "start"));
   place = hands({ canvas: $("wall"), tip: $("tip"), again: $("again") }, stage, loops);
   wire({ $, engine, now: () => ({ tree: shown(), name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
@@ -383,7 +386,7 @@ async function begin(module, source) {
   });
   document.documentElement.dataset.ready = "yes";
   // What tests ask: the engine that everything above uses, and what it is asked about.
-  globalThis.lyapunov = { engine, state, loops, scene: () => toml(state.tree), cost: () => cost };
+  globalThis.lyapunov = { engine, state, loops, map, scene: () => toml(state.tree), cost: () => cost };
 }
 
 if (globalThis.document === undefined) work();

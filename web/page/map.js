@@ -1,12 +1,11 @@
 // The map of verdicts over two sliders, with the place where one stands.
 
-import { made } from "./made.js";
+import { made, put } from "./made.js";
 import { VERDICTS, font, ink, path, sheet } from "./paint.js";
 import { SLIDERS, placeOf, shareOf, unrounded } from "./sliders.js";
 import { changed, toml, value } from "./scene.js";
 
 const COUNT = 256;
-const POINTS = 48;
 const [LEFT, FOOT] = [58, 36];
 /** Sliders that a map is over: those that the lanes differ in. */
 const AXES = SLIDERS.filter((it) => /wall|servo_rate|^device|^operator/.test(it.key));
@@ -16,8 +15,8 @@ const axis = ({ key, from, to, log }) => `${key}=${from}..${to}:${COUNT}${log ? 
 const straight = (slider) => ({ ...slider, bend: false, off: undefined });
 
 export class StabilityMap {
-  constructor({ canvas, x, y, under, said }, ask, move) {
-    Object.assign(this, { canvas, x, y, under, saidPlace: said, ask, move, part: canvas.closest("section") });
+  constructor({ canvas, x, y, under, said, legend }, questions, move) {
+    Object.assign(this, { canvas, x, y, under, saidPlace: said, questions, move, part: canvas.closest("section") });
     for (const select of [x, y]) for (const it of AXES) select.append(new Option(it.label.toLowerCase(), it.key));
     x.value = "environment.wall.stiffness";
     y.value = "environment.wall.damping";
@@ -26,6 +25,8 @@ export class StabilityMap {
     for (const select of [x, y, under]) select.addEventListener("change", () => this.renew(true));
     canvas.addEventListener("click", (event) => this.step(...this.placeOf(event)));
     canvas.addEventListener("keydown", (event) => this.key(event));
+    this.line = made("li", { className: "bound" });
+    legend.append(this.line);
     this.asked = "";
   }
 
@@ -69,11 +70,22 @@ export class StabilityMap {
   request(x, y) {
     const scene = toml(this.tree);
     const along = x.key.endsWith("wall.stiffness") ? y : y.key.endsWith("wall.stiffness") ? x : null;
-    const at = (index) => index / (POINTS - 1);
-    const curve = along ? Array.from({ length: POINTS }, (_, index) => toml(changed(this.tree, along.key, unrounded(along, at(index))))) : [];
     this.upwards = along === x;
-    this.places = curve.map((_, index) => at(index));
-    this.ask("map", { scene, x: axis(x), y: axis(y), name: this.under.value, count: COUNT, curve });
+    // A point for each pixel: on a logarithmic axis the line is far from straight between a few.
+    const points = this.upwards ? this.box.wide : this.box.tall;
+    this.places = along ? Array.from({ length: points + 1 }, (_, index) => index / points) : [];
+    const curve = this.places.map((place) => toml(changed(this.tree, along.key, unrounded(along, place))));
+    const rate = x.key === "servo_rate" ? x.to : y.key === "servo_rate" ? y.to : this.tree.servo_rate;
+    this.fade();
+    const about = { count: COUNT, ticks: rate * this.tree.duration, curve };
+    this.questions.ask("map", { scene, x: axis(x), y: axis(y), name: this.under.value, ...about });
+  }
+
+  /** Makes what stands there pale, since it is of the setting before. */
+  fade() {
+    const context = this.image.getContext("2d");
+    Object.assign(context, { globalAlpha: 0.7, fillStyle: ink().card });
+    context.fillRect(0, 0, COUNT, COUNT);
   }
 
   /** Takes what the worker tells. */
@@ -167,23 +179,26 @@ export class StabilityMap {
     }
   }
 
+  /** Draws the exact limit, and names it where it is in the picture. */
   bound(c) {
-    if (!this.limits) return;
     const { left, top, wide, tall } = this.box;
     const stiff = this.sliders[this.upwards ? 1 : 0];
+    let [piece, isSeen] = [[], false];
+    const pieces = [piece];
+    this.limits?.forEach((limit, index) => {
+      const along = this.places[index];
+      const across = limit > 0 ? shareOf(stiff, limit) : NaN;
+      if (Number.isNaN(across)) return void pieces.push((piece = []));
+      isSeen ||= across >= 0 && across <= 1;
+      const [right, up] = this.upwards ? [along, across] : [across, along];
+      piece.push([left + right * wide, top + (1 - up) * tall]);
+    });
+    this.line.hidden = !isSeen;
+    put(this.line, `exact limit of the linear loop${this.under.value === "none" ? "" : " without a stabilizer"}`);
     c.save();
     c.beginPath();
     c.rect(left, top, wide, tall);
     c.clip();
-    let piece = [];
-    const pieces = [piece];
-    this.limits.forEach((limit, index) => {
-      const along = this.places[index];
-      const across = limit > 0 ? shareOf(stiff, limit) : NaN;
-      if (Number.isNaN(across)) return void pieces.push((piece = []));
-      const [right, up] = this.upwards ? [along, across] : [across, along];
-      piece.push([left + right * wide, top + (1 - up) * tall]);
-    });
     for (const one of pieces) {
       path(c, one, ink().card, 5);
       path(c, one, ink().ink, 2);

@@ -3,6 +3,9 @@
 /** The verdicts by their numbers, as the style sheet names their colours. */
 export const VERDICTS = ["settles", "swinging", "grows", "short"];
 
+/** Dashes of the curves of the three loops: two curves in one place are both seen, also where their colours look alike. */
+export const DASHES = [[], [9, 5], [2, 4]];
+
 let colours = null;
 
 /** The page's colours by name, as the style sheet gives them for light or dark. */
@@ -43,10 +46,12 @@ export function font(context, size, weight = 400) {
 }
 
 /** A line through points. */
-export function path(context, points, colour, thick = 1.5) {
+export function path(context, points, colour, thick = 1.5, dash = []) {
+  context.setLineDash(dash);
   context.beginPath();
   points.forEach(([x, y], index) => (index ? context.lineTo(x, y) : context.moveTo(x, y)));
   context.strokeStyle = colour;
   context.lineWidth = thick;
   context.stroke();
+  context.setLineDash([]);
 }

@@ -1,5 +1,6 @@
 // The numbers of a scene that one moves by hand.
 
+import { made } from "./made.js";
 import { changed, pairs, toml, value } from "./scene.js";
 
 const STEPS = 400;
@@ -69,12 +70,11 @@ export function said(slider, number) {
 /** Fills a form with the sliders; `move` is called with a slider and its number. */
 export function fill(form, move) {
   const rows = SLIDERS.map((slider) => {
-    const row = document.createElement("label");
-    const [name, shown, input] = ["span", "output", "input"].map((it) => document.createElement(it));
-    name.textContent = slider.label;
-    Object.assign(input, { type: "range", min: 0, max: slider.whole ? slider.to : STEPS, step: 1, name: slider.key });
+    // An <output> would take the label for itself; the number is told by the slider's own value.
+    const shown = made("b", { ariaHidden: "true" });
+    const input = made("input", { type: "range", min: 0, max: slider.whole ? slider.to : STEPS, step: 1, name: slider.key });
     input.addEventListener("input", () => move(slider, numberAt(slider, input.value / input.max)));
-    row.append(name, shown, input);
+    const row = made("label", {}, made("span", {}, slider.label), shown, input);
     form.append(row);
     return { slider, row, shown, input };
   });

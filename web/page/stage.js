@@ -6,6 +6,8 @@ import { font, ink, path, sheet } from "./paint.js";
 const LEFT = 30;
 const ACROSS = 50;
 const [BLOCK, REACH, FLAT] = [30, 74, 22];
+/** Where the name of a lane begins, behind a piece of its curve. */
+const LABEL = 46;
 
 export class Stage {
   constructor(canvas) {
@@ -55,11 +57,13 @@ export class Stage {
     font(c, 13, 600);
     c.fillStyle = lane.colour;
     c.textAlign = "left";
-    c.fillText(lane.name, 12, middle - tall * 0.34);
+    const label = middle - tall * 0.34;
+    path(c, [[12, label - 4], [38, label - 4]], lane.colour, 2.5, lane.dash);
+    c.fillText(lane.name, LABEL, label);
     if (lane.note) {
       font(c, 12);
       c.fillStyle = colours.grows;
-      c.fillText(lane.note, 12 + c.measureText(lane.name).width + 22, middle - tall * 0.34);
+      c.fillText(lane.note, LABEL + c.measureText(lane.name).width + 22, label);
     }
     spring(c, grip + 13, front - BLOCK, middle, colours.ink);
     c.globalAlpha = 0.16;

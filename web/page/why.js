@@ -1,6 +1,7 @@
 // The explanation of a run: its sentence, its energies, its remedies as buttons.
 
 import { button, made } from "./made.js";
+import { SLIDERS } from "./sliders.js";
 
 const cell = (row, text, tag = "td") => {
   const it = made(tag, {}, text);
@@ -11,7 +12,13 @@ const cell = (row, text, tag = "td") => {
 export const digits = (number) => (number === 0 ? "0" : Math.abs(number) >= 1e5 || Math.abs(number) < 1e-3 ? number.toExponential(1) : String(Number(number.toPrecision(3)))).replaceAll("-", "−");
 
 /** The keys of a remedy with their values. */
-export const written = (set) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ");
+export const written = (set) => Object.entries(set).map(([key, it]) => `${key} = ${it}${unit(key)}`).join(", ");
+
+/** The unit of a number in a scene, where a slider has it and does not show the number in another. */
+function unit(key) {
+  const { scale = 1, whole, unit } = SLIDERS.find((it) => it.key === key) ?? { whole: true };
+  return whole || scale !== 1 ? "" : ` ${unit}`;
+}
 
 const said = (text) => `${text.replace(/^./, (first) => first.toUpperCase())}.`;
 
@@ -31,7 +38,12 @@ function sentence(hint, told, bounding) {
   return { settles: "It comes to rest.", swinging: "It stays bounded and does not come to rest.", "too short": "The run is too short to judge." }[verdict] + linear;
 }
 
-export function tell(parts, { name, sentence: hint, rows, told }, bounding, take) {
+export function tell(parts, { name, sentence: hint, rows, told, refused }, bounding, take) {
+  if (refused) {
+    for (const it of Object.values(parts)) it.replaceChildren();
+    parts.said.textContent = refused;
+    return;
+  }
   parts.said.textContent = sentence(hint, told, bounding);
   const { first_contact: first, whole_run: whole } = told;
   const table = parts.energies;
@@ -66,9 +78,10 @@ function remedies(place, { name, told, hint }, take) {
   for (const { set, verdict, peak_force_n: peak, force_error_rms_n: error } of told.remedies) {
     const late = set.servo_rate && told.groups.delay_ticks;
     // Without a wall or a solid there is no force error.
-    const off = error === null ? "" : `, off the environment's own force by ${digits(error)} N`;
-    const felt = peak ? `peak force ${digits(peak)} N${off}` : "no force acts: the wall is not touched any more";
-    const what = `${verdict}: ${felt}${late ? `; its delay is then ${digits((1e3 * late) / set.servo_rate)} ms, as many ticks as before` : ""}`;
+    const off = error === null ? "" : `, off the environment's own force by ${digits(error)} N (rms)`;
+    // A word on a motion that is free of the wall says nothing about the remedy.
+    const felt = peak ? `${verdict}: peak force ${digits(peak)} N${off}` : "no force acts: the wall is not touched any more";
+    const what = `${felt}${late ? `; its delay is then ${digits((1e3 * late) / set.servo_rate)} ms, as many ticks as before` : ""}`;
     const it = Object.assign(button("", () => take(set)), { className: "remedy" });
     it.append(made("b", {}, written(set)), made("span", {}, what));
     place.append(it);

@@ -28,13 +28,19 @@ export const closed = async (page) => {
 /** Moves a slider as a person does: to a place from 0 to 1. */
 export const slide = (page, key, place) =>
   page.value(`(() => { const it = document.querySelector('input[name="${key}"]'); it.value = ${place} * it.max; it.dispatchEvent(new Event("input")); })()`);
+/** Whether an element comes to be in view. */
+export const seen = (page, selector) =>
+  page.until(`(({ height, top, bottom }) => height > 0 && top >= 0 && bottom <= innerHeight)(document.querySelector("${selector}").getBoundingClientRect())`);
 /** Motions that scenes name. */
 export const MOTIONS = ["motion-file.csv"];
 /** The verdicts of loops by their names, as the command tells them of a scene. */
 export const told = (path, names) => JSON.parse(lyapunov("compare", path, "--stabilizers", names.join(","), "--json")).rows.map((it) => it.verdict);
 export const cards = (page) => page.value("[...document.querySelectorAll('#verdicts .card')].map((it) => it.dataset.name)");
+/** Chooses an entry of a list. */
+export const choose = (page, id, entry) =>
+  page.value(`(() => { const it = document.querySelector("#${id}"); it.value = "${entry}"; it.dispatchEvent(new Event("change")); })()`);
 /** Chooses the candidate of LOLC. */
-export const credit = (page, name) => page.value(`(() => { const it = document.querySelector("#candidate"); it.value = "${name}"; it.dispatchEvent(new Event("change")); })()`);
+export const credit = (page, name) => choose(page, "candidate", name);
 /** Drops files, each a name and a text. */
 export const drop = (page, files) =>
   page.value(`(() => { const data = new DataTransfer();

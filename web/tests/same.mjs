@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { MOTIONS, cards, closed, credit, drop, folder, lyapunov, opened, root, slide, told, verdicts } from "./driver.mjs";
+import { MOTIONS, cards, closed, credit, drop, folder, lyapunov, opened, root, seen, slide, told, verdicts } from "./driver.mjs";
 
 /** Every shipped scene: the rows of the page's own engine are those of the command, byte for byte. */
 export async function rows(browser) {
@@ -130,6 +130,16 @@ async function unjudged(page) {
   await page.until(`document.querySelector('#why-said').textContent === ${JSON.stringify(said)}`);
 }
 
+/** Units of the keys that remedies write. */
+const UNITS = { servo_rate: " Hz", "environment.wall.stiffness": " N/m", "environment.wall.damping": " N·s/m", "device.damping": " N·s/m" };
+
+/** Of a remedy that keeps the hand from the wall that is said, and no word on the motion that is left. */
+async function untouched(page) {
+  await page.value("document.querySelector('#figure-7').click(); 0");
+  const said = "no force acts: the wall is not touched any more";
+  await page.until(`[...document.querySelectorAll('.remedy span')].some((it) => it.textContent === "${said}")`);
+}
+
 /** The explanation that the page shows is the one of `explain`; a remedy's button does what it says. */
 export async function reasons(browser) {
   const page = await opened(browser);
@@ -139,12 +149,16 @@ export async function reasons(browser) {
   await energies(page, path);
   const remedies = JSON.parse(lyapunov("explain", path, "--json")).remedies;
   const sets = await page.value("[...document.querySelectorAll('.remedy b')].map((it) => it.textContent)");
-  assert.deepEqual(sets, remedies.map(({ set }) => Object.entries(set).map(([key, it]) => `${key} = ${it}`).join(", ")));
+  assert.deepEqual(sets, remedies.map(({ set }) => Object.entries(set).map(([key, it]) => `${key} = ${it}${UNITS[key] ?? ""}`).join(", ")));
+  const felt = await page.value("[...document.querySelectorAll('.remedy span')].map((it) => it.textContent)");
+  assert.ok(felt.every((it) => / N \(rms\)$/.test(it)), felt.join("; "));
   await page.value("document.querySelector('.remedy').focus()");
   await page.key("Enter");
   assert.equal((await verdicts(page))[0], remedies[0].verdict);
   await page.until("document.querySelector('#why-said').textContent.length > 1");
-  assert.equal(await page.value("document.activeElement.id"), "why-said");
+  // Where one reads what it wrote, with the way back.
+  assert.equal(await page.value("document.activeElement.id"), "said");
+  await seen(page, "#said button");
   const calm = 'servo_rate = 1000\nduration = 2\ndevice = { mass = 0.2, damping = 3 }\noperator = { mass = 0.1, stiffness = 50 }\n[environment.wall]\nstiffness = 40000\n';
   writeFileSync(path, calm);
   await drop(page, [["calm.toml", calm]]);
@@ -153,6 +167,7 @@ export async function reasons(browser) {
   assert.equal((await page.value("document.querySelector('#why-said').textContent")).toLowerCase(), `${note.toLowerCase()}.`);
   await bounded(page);
   await unjudged(page);
+  await untouched(page);
   const coarse = 'servo_rate = 1000\nduration = 2\nintegrator = "semi-implicit-euler"\ndevice = { mass = 0.2, damping = 3 }\n[environment.wall]\nstiffness = 2000\n[initial]\nposition = -0.01\nvelocity = 0.2\n';
   writeFileSync(path, coarse);
   await drop(page, [["coarse.toml", coarse]]);

@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { address } from "../page/scene.js";
-import { closed, credit, drop, folder, lyapunov, opened, root, saved, slide, verdicts } from "./driver.mjs";
+import { closed, credit, drop, folder, lyapunov, opened, root, saved, seen, slide, verdicts } from "./driver.mjs";
 
 /** A scene goes into the address, a file and back. */
 export async function shared(browser) {
@@ -25,8 +25,11 @@ export async function shared(browser) {
   await drop(other, [[log, readFileSync(join(root, log), "utf8")]]);
   await other.until("document.querySelector('#done').textContent.includes('is a log')");
   assert.equal((await other.value("document.querySelector('#code').textContent")).trim(), lyapunov("observe", log).trim());
+  await seen(other, "#done");
+  await other.value("scrollTo(0, 0)");
   await drop(other, [["broken.toml", "duration = 1\nservo_rate = -1"]]);
   await other.until("document.querySelector('#done').textContent.includes('broken.toml:2:')");
+  await seen(other, "#done");
   assert.ok(await other.value("document.querySelector('#code').hidden"), "what the observer said of another file stands below");
   await other.value("document.querySelector('#copy-address').click(); 0");
   await other.until("document.querySelector('#done').textContent !== ''");
@@ -39,6 +42,30 @@ export async function shared(browser) {
   await other.until("document.querySelector('#done').textContent.includes('bad.toml:2:')");
   await closed(other);
   await closed(page);
+}
+
+/** An address whose scene needs a recorded motion stays until that is dropped, and then its scene opens; of several files one opens. */
+export async function awaited(browser) {
+  const page = await opened(browser);
+  const shipped = (name) => [name, readFileSync(join(root, "scenes", name), "utf8")];
+  const [scene, motion, other] = ["motion-file.toml", "motion-file.csv", "friction.toml"].map(shipped);
+  await drop(page, [motion, other, scene]);
+  const one = "motion-file.toml is open. One file at a time: not opened: friction.toml.";
+  await page.until(`document.querySelector('#done').textContent === "${one}"`);
+  assert.ok((await page.value("document.querySelector('#said').textContent")).includes("not opened: friction.toml"));
+  await seen(page, "#said");
+  await page.until("location.hash.includes('motion')");
+  const [hash, tree] = [await page.value("location.hash"), await page.value("lyapunov.scene()")];
+  await closed(page);
+  const late = await opened(browser, {}, hash);
+  assert.match(await late.value("document.querySelector('#fault').textContent"), /motion-file.csv.*drop it here/);
+  await late.until("document.querySelector('.remedy')");
+  assert.equal(await late.value("location.hash"), hash);
+  await drop(late, [motion]);
+  await late.until(`lyapunov.scene() === ${JSON.stringify(tree)} && document.querySelector('#fault').textContent === ""`);
+  await slide(late, "device.mass", 0.4);
+  await late.until(`location.hash !== ${JSON.stringify(hash)}`);
+  await closed(late);
 }
 
 /** What is taken along is the loop that is shown: files, an address under any choice, a scene's own stabilizer. */

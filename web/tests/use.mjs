@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-import { closed, folder, lyapunov, mapped, opened, saved, slide, verdicts } from "./driver.mjs";
+import { choose, closed, folder, lyapunov, mapped, opened, saved, slide, verdicts } from "./driver.mjs";
 
 const SHIFT = 8;
 
@@ -76,6 +76,31 @@ export async function steps(browser) {
   assert.deepEqual(await parts(), [true, true, true]);
   const back = await scene();
   assert.notEqual(await touch(), back);
+  await closed(page);
+}
+
+/** The line on the map is the exact limit at each pixel along it, is named where it is drawn, and says whose limit it is. */
+export async function limit(browser) {
+  const page = await opened(browser);
+  await mapped(page);
+  await page.until("lyapunov.map.limits");
+  const far = await page.value(`(() => { const { map, engine, scene } = lyapunov; const { limits, places, box: { tall } } = map; let most = 0;
+    for (let index = 0; index + 1 < limits.length; index += 7) {
+      const damping = 100 * (places[index] + places[index + 1]) / 2;
+      const [exact] = engine.numbers("limits", scene().replace(/(\\[environment.wall\\][^[]*damping = ).*/, "$1" + damping));
+      const drawn = Math.sqrt(limits[index] * limits[index + 1]);
+      most = Math.max(most, Math.abs(Math.log(exact / drawn)));
+    }
+    return [limits.length > tall, most]; })()`);
+  assert.ok(far[0] && far[1] < 0.01, `${far}`);
+  const named = () => page.value("(({ hidden, textContent }) => (hidden ? '' : textContent))(document.querySelector('#legend .bound'))");
+  assert.equal(await named(), "exact limit of the linear loop");
+  await choose(page, "map-under", "popc");
+  await page.until("lyapunov.map.limits");
+  assert.equal(await named(), "exact limit of the linear loop without a stabilizer");
+  await choose(page, "map-x", "device.mass");
+  await mapped(page);
+  assert.equal(await named(), "");
   await closed(page);
 }
 
