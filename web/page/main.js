@@ -263,18 +263,20 @@ function start(preset) {
 const sight = (id, block) => $(id).scrollIntoView({ block, behavior: isCalm() ? "auto" : "smooth" });
 
 /** Tells of a file, in view: it may have been dropped far from there. */
-function done(text) {
+function done(text, isInView = true) {
   $("done").textContent = text;
-  sight("done", "start");
+  if (isInView) sight("done", "start");
 }
 
-/** Keeps a motion for the scenes that name it, that of the address perhaps. */
+/** Keeps a motion for the scenes that name it; tells whether that of the address is one, and is open now. */
 function keepMotion(text) {
   engine.bytes("keep", text);
   worker.postMessage({ kept: text });
-  if (!wanted) return;
+  if (!wanted) return false;
   share(wanted);
-  if (!wanted) sight("said", "nearest");
+  if (wanted) return false;
+  sight("said", "nearest");
+  return true;
 }
 
 /** Shows what the observer says of a log. */

@@ -4,7 +4,7 @@
 export const VERDICTS = ["settles", "swinging", "grows", "short"];
 
 /** Dashes of the curves of the three loops: two curves in one place are both seen, also where their colours look alike. */
-export const DASHES = [[], [9, 5], [2, 4]];
+export const DASHES = [[], [12, 6], [3, 6]];
 
 let colours = null;
 

@@ -53,6 +53,7 @@ export async function awaited(browser) {
   const one = "motion-file.toml is open. One file at a time: not opened: friction.toml.";
   await page.until(`document.querySelector('#done').textContent === "${one}"`);
   assert.ok((await page.value("document.querySelector('#said').textContent")).includes("not opened: friction.toml"));
+  await new Promise((later) => setTimeout(later, 500));
   await seen(page, "#said");
   await page.until("location.hash.includes('motion')");
   const [hash, tree] = [await page.value("location.hash"), await page.value("lyapunov.scene()")];
@@ -63,6 +64,9 @@ export async function awaited(browser) {
   assert.equal(await late.value("location.hash"), hash);
   await drop(late, [motion]);
   await late.until(`lyapunov.scene() === ${JSON.stringify(tree)} && document.querySelector('#fault').textContent === ""`);
+  await drop(late, [["other.csv", motion[1]]]);
+  await late.until("document.querySelector('#done').textContent.includes('other.csv')");
+  await seen(late, "#done");
   await slide(late, "device.mass", 0.4);
   await late.until(`location.hash !== ${JSON.stringify(hash)}`);
   await closed(late);
