@@ -116,8 +116,9 @@ function curve(c, { rows, columns, colour, dash }, of, times, x, y, width) {
   c.setLineDash(dash);
   c.strokeStyle = colour;
   c.lineWidth = 1.6;
-  // Round joins take as long as all else in a frame, and are not seen at this width.
+  // Round joins and ends take as long as all else in a frame, and are not seen at this width.
   c.lineJoin = "bevel";
+  c.lineCap = "butt";
   c.stroke();
   c.setLineDash([]);
 }

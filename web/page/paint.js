@@ -4,7 +4,7 @@
 export const VERDICTS = ["settles", "swinging", "grows", "short"];
 
 /** Dashes of the curves of the three loops: two curves in one place are both seen, also where their colours look alike. */
-export const DASHES = [[], [12, 6], [3, 6]];
+export const DASHES = [[], [12, 6], [5, 5]];
 
 let colours = null;
 
