@@ -4,7 +4,7 @@
 export const VERDICTS = ["settles", "swinging", "grows", "short"];
 
 /** Dashes of the curves of the three loops: two curves in one place are both seen, also where their colours look alike. */
-export const DASHES = [[], [12, 6], [5, 5]];
+export const DASHES = [[], [14, 6], [3, 5]];
 
 let colours = null;
 
@@ -48,6 +48,7 @@ export function font(context, size, weight = 400) {
 /** A line through points. */
 export function path(context, points, colour, thick = 1.5, dash = []) {
   context.setLineDash(dash);
+  context.lineCap = dash.length ? "butt" : "round";
   context.beginPath();
   points.forEach(([x, y], index) => (index ? context.lineTo(x, y) : context.moveTo(x, y)));
   context.strokeStyle = colour;
