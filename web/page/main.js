@@ -259,13 +259,13 @@ function start(preset) {
   place();
 }
 
-/** Brings a part of the page into view. */
-const sight = (id, block) => $(id).scrollIntoView({ block, behavior: isCalm() ? "auto" : "smooth" });
+/** Brings a part of the page into view; at once, since answers that come during a smooth way would move where it ends. */
+const sight = (id, block) => $(id).scrollIntoView({ block });
 
 /** Tells of a file, in view: it may have been dropped far from there. */
 function done(text, isInView = true) {
   $("done").textContent = text;
-  if (isInView) sight("done", "start");
+  if (isInView) sight("done", "center");
 }
 
 /** Keeps a motion for the scenes that name it; tells whether that of the address is one, and is open now. */
@@ -374,7 +374,7 @@ async function begin(module, source) {
   show = fill($("sliders"), (slider, number) => take(moved(state.tree, slider, number)));
   $("alone").addEventListener("click", () => ($("alone").firstChild.href = location.href));
   for (const at of ["live", "run"]) $(`show-${at}`).addEventListener("click", () => keep(look(at)));
-  list({ buttons: $("presets"), claims: $("claims") }, start, () => sight("stage", "start"));
+  list({ buttons: $("presets"), claims: $("claims") }, start, () => $("stage").scrollIntoView({ behavior: isCalm() ? "auto" : "smooth" }));
   place = hands({ canvas: $("wall"), tip: $("tip"), again: $("again") }, stage, loops);
   wire({ $, engine, now: () => ({ tree: shown(), name: state.under, title: title(state.under) }), open });
   start(PRESETS[0]);
