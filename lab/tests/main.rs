@@ -24,6 +24,7 @@ mod map_refused;
 mod miscounted;
 mod models;
 mod progress;
+mod remedies;
 mod sanity;
 mod shipped;
 mod space;
