@@ -83,8 +83,8 @@ impl<V: Signal> LyapunovCandidate<V> for PortEnergy {
 ///
 /// The side is a hand or a robot: when its `V` falls, the port absorbed. It is the other side of [`PortEnergy`], which
 /// counts what the environment stores as positive; the energy of a virtual spring at the port therefore goes in with a
-/// minus sign. Where `V` or a number of the sample is not finite, the decrease is NaN and the last finite value is kept, so that the
-/// next finite one spans the gap; in a sum of terms only this term does so. The first finite value, where the one at the start is
+/// minus sign. Where `V` or the sample's work is not finite, the decrease is NaN and the last finite value is kept, so that the next
+/// finite one spans the gap; in a sum of terms only this term does so. The first finite value, where the one at the start is
 /// not, decreases by 0.
 ///
 /// ```
@@ -123,8 +123,8 @@ where
     #[inline(always)]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
         let now = (self.function)(sample.position, sample.velocity);
-        // A missed reading stands still at the last position, which is no state that the side was in.
-        let now = V::Scalar::choose(sample.finite(), now, V::Scalar::of(f64::NAN));
+        // A missed reading, whose work is NaN, stands still at the last position: no state that the side was in.
+        let now = V::Scalar::choose(sample.work.finite(), now, V::Scalar::of(f64::NAN));
         let decrease = V::Scalar::choose(self.last.finite(), self.last, now) - now;
         self.last = V::Scalar::choose(now.finite(), now, self.last);
         decrease

@@ -8,7 +8,7 @@ use lyapunov_core::{
 /// least over a tick, J.
 ///
 /// Whatever the motion within the tick, `b ∫ |ṗ|² dt ≥ b |Δp|² / T`, so that the reference asks for no more than an
-/// ideal environment takes. Of a wall `p` is the depth, 0 outside. A sample or a deformation that is not finite is passed over, and
+/// ideal environment takes. Of a wall `p` is the depth, 0 outside. A work or a deformation that is not finite is passed over, and
 /// so is one that the term has no room for. The first finite deformation, where the one at the start is not, dissipates nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct ReferenceDamper<F, V: Signal> {
@@ -43,7 +43,7 @@ impl<F: Fn(V) -> V, V: Signal> ReferenceDamper<F, V> {
 impl<V: Signal, F: Fn(V) -> V> LyapunovCandidate<V> for ReferenceDamper<F, V> {
     #[inline]
     fn decrease(&mut self, sample: &PortSample<V>) -> V::Scalar {
-        let now = known(sample.finite(), (self.deformation)(sample.position));
+        let now = known(sample.work.finite(), (self.deformation)(sample.position));
         let deformed = now - self.last;
         self.last = V::choose(now.finite(), now, self.last);
         let burnt = self.damping * (deformed.inner(deformed) / sample.period);

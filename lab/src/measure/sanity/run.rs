@@ -132,9 +132,10 @@ impl RunSigns {
         if self.first.unwrap_or(0) + u64::from(delay) >= self.ticks {
             return format!("the delay is {}", counted(delay as usize, "tick"));
         }
-        let why = match scene.device.damping.get() == 0.0 {
-            true => "; device.damping is 0, and force-bound and force-bounding spend that damping",
-            false => "",
+        let why = if scene.device.damping.get() == 0.0 {
+            "; device.damping is 0, and force-bound and force-bounding spend that damping"
+        } else {
+            ""
         };
         format!("the stabilizer lets none of it through{why}")
     }
