@@ -164,7 +164,7 @@ mod tests {
             outcome.score.step_time = Some(StepTime { median, min: median, max: median, ..time });
         }
         let shown = comparison.to_string();
-        let rows = shown.lines().filter(|line| line.starts_with("popc = "));
+        let rows = shown.lines().filter(|line| line.starts_with("popc + "));
         let told = "medians 2.25-8.00  16-24";
         assert!(rows.into_iter().any(|row| row.contains(told)), "{shown}");
         // The longest name that ships stands in each of the three tables in full.
