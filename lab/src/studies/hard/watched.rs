@@ -205,7 +205,9 @@ impl Meter {
             }
             Credit::Reference(reference) => {
                 let [x, v] = [sight.position.values[0], sight.velocity.values[0]];
-                let now = (self.stored)(reference, x, v);
+                // Where the work is not known, neither is where the side was.
+                let is_known = sight.work.finite();
+                let now = if is_known { (self.stored)(reference, x, v) } else { f64::NAN };
                 // Nothing is known of what was stored before the first tick: that one is where it is counted from.
                 let change = self.held.unwrap_or(now) - now;
                 self.now = now;
