@@ -47,7 +47,7 @@ use crate::{
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaskPort<T, const N: usize, F = WorldAxes> {
     at: WithPose<T, F>,
-    /// What the position has no digits for.
+    /// The rest of the way that the position has no digits for.
     left: Screw<T, F>,
     jacobian: Jacobian<T, N, F>,
     asked: Screw<T, F>,

@@ -45,7 +45,7 @@ pub struct AffinePlant<P, F, I, T, const N: usize, const M: usize> {
     interval: T,
     steps: u32,
     at: WithState<T, N, M>,
-    /// What the position has no digits for.
+    /// The rest of the way that the position has no digits for.
     left: SVector<T, M>,
 }
 

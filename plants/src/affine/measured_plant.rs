@@ -42,7 +42,7 @@ pub struct MeasuredPlant<P, F, T, const N: usize, const M: usize> {
     /// Time since the last sound sample, s.
     gap: T,
     at: WithState<T, N, M>,
-    /// What the position has no digits for.
+    /// The rest of the way that the position has no digits for.
     left: SVector<T, M>,
     flow: SVector<T, M>,
     /// The range of the efforts since then.

@@ -126,7 +126,7 @@ impl RunSigns {
         Some(Oddity::new(Sign::Untouched, text))
     }
 
-    /// What keeps the environment's force from the plant.
+    /// The reason why no force of the environment reaches the plant.
     fn withheld(&self, scene: &Scene) -> String {
         let delay = scene.delay_ticks();
         if self.first.unwrap_or(0) + u64::from(delay) >= self.ticks {
