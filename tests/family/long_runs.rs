@@ -13,6 +13,10 @@ use crate::support::limit;
 
 const TICKS: u32 = 1_000_000;
 
+/// A tick that gives 10⁻⁶ J, outside of any wall.
+const GAVE: HeldTick<f32> =
+    HeldTick { period: 1e-3, position: -1.0, velocity: 1e-3, displacement: 1e-6, applied: -1.0 };
+
 /// A draw of 10⁻⁷ J of 10 J, which is less than the rounding of the tank.
 #[test]
 fn a_full_tank_is_drawn_from() {
@@ -33,15 +37,8 @@ fn a_large_debt_grows() {
     path.owe(40.0).expect("a debt");
     let mut path = path.summed_in::<Compensated<f32>>();
     // Outside of the wall and inwards: what the port gives there no memory allows.
-    let gave = HeldTick {
-        period: 1e-3,
-        position: -1.0,
-        velocity: 1e-3,
-        displacement: 1e-6,
-        applied: -1.0,
-    };
     for _ in 0..TICKS {
-        path.stabilize(&gave.sample(), 0.0);
+        path.stabilize(&GAVE.sample(), 0.0);
     }
     assert_abs_diff_eq!(path.debt(), 41.0, epsilon = 1e-4);
 }
@@ -49,16 +46,9 @@ fn a_large_debt_grows() {
 /// 50 J of credit from which 10⁻⁶ J are taken on every tick.
 #[test]
 fn what_is_told_keeps_small_works() {
-    let gave = HeldTick {
-        period: 1e-3,
-        position: -1.0,
-        velocity: 1e-3,
-        displacement: 1e-6,
-        applied: -1.0,
-    };
     let told = |mut one: Box<dyn Both>| {
         one.grant(50.0).expect("credit");
-        (0..TICKS).map(|_| one.stabilize(&gave.sample(), 0.0).observed_energy).last()
+        (0..TICKS).map(|_| one.stabilize(&GAVE.sample(), 0.0).observed_energy).last()
     };
     let memory = MemoryBased::<f32, 8>::beyond(0.0, 0.01).expect("a memory");
     let bounding = EnergyBounding::<f32>::new(1e-3, 1e-3).expect("constants");
