@@ -14,7 +14,7 @@ pub(crate) use checksum::Checksum;
 pub use excerpt::legible;
 pub(crate) use excerpt::shorten;
 pub(crate) use file_name::file_name;
-pub(crate) use numbers::{found, given, near_one};
+pub(crate) use numbers::{found, given, near_one, to_digits};
 pub(crate) use prefix::{prefix, prefixed};
 pub use shell::shell_word;
 pub(crate) use suggest::nearest;

@@ -17,6 +17,12 @@ pub(crate) fn given(value: f64) -> Number {
     Number { value, digits: 9 }
 }
 
+/// The number nearest to `value` with so many significant digits.
+pub(crate) fn to_digits(value: f64, digits: usize) -> f64 {
+    let behind = digits - 1;
+    format!("{value:.behind$e}").parse().unwrap_or(value)
+}
+
 /// A number rounded to some significant digits, but never before the decimal point, and without trailing zeros.
 pub(crate) struct Number {
     value: f64,

@@ -240,6 +240,25 @@ fn gaps_cut_the_log() {
     assert!((found.report.mass.value - 0.3).abs() < 1e-6);
 }
 
+/// Two rows that are missing about the largest force leave a few rows between them.
+#[test]
+fn gaps_about_the_largest_force_mislead_nobody() {
+    let log = PLAIN.log(900, &mut Chance::new(5));
+    let lines: Vec<_> = log.lines().collect();
+    let force = |line: &&str| line.rsplit(',').next().and_then(|it| it.parse::<f64>().ok());
+    let forces: Vec<f64> = lines.iter().map(|line| force(line).unwrap_or(0.0)).collect();
+    let most = forces.iter().copied().fold(0.0, f64::max);
+    let at = forces.iter().position(|it| *it == most).unwrap();
+    let missing = [at - 5, at + 5];
+    let kept = lines.iter().enumerate().filter(|(line, _)| !missing.contains(line));
+    let found = fitted(&kept.map(|(_, line)| *line).collect::<Vec<_>>().join("\n")).unwrap();
+    assert_eq!(found.report.stretches, 3);
+    for (told, truth) in [(found.report.mass, 0.3), (found.report.damping, PLAIN.damping)] {
+        assert!((told.value - truth).abs() < 1e-6 * truth, "{told:?}");
+    }
+    assert!(!says(&found, "late") && !says(&found, "pushes"), "{:?}", found.report.notes);
+}
+
 #[test]
 fn a_page_holds_figure_numbers_and_scene() {
     let found: study::Identified = of(PLAIN, 400);

@@ -8,7 +8,7 @@ use super::feedback::is_feedback;
 use super::least_squares::inverse;
 use super::motion::{BIAS, Coefficients, DECAY, MOBILITY, SPRING, before};
 use super::plant::{Fit, Setting};
-use super::recording::Recording;
+use super::recording::{FEWEST_OF_STRETCH, Recording};
 use super::stretch::Stretch;
 use crate::files::log::{BadRows, LogError};
 
@@ -298,10 +298,10 @@ fn first_fitted(stretches: &[Stretch], lag: usize) -> f64 {
 
 /// Rows by which the force acts late, and coefficients for it, from the part of the log about the largest force.
 fn lateness(setting: &Setting<'_>) -> Option<(usize, Coefficients)> {
-    let part = [excerpt(setting.stretches)?];
+    let parts = excerpt(setting.stretches);
     let fit = |lag: usize| {
         let horizon = setting.horizon.min(AHEAD);
-        let setting = Setting { stretches: &part, lag, horizon, ..*setting };
+        let setting = Setting { stretches: &parts, lag, horizon, ..*setting };
         let fit = setting.fit(Coefficients::zeros())?;
         Some((lag, fit.error(setting.count()), fit.at))
     };
@@ -311,21 +311,19 @@ fn lateness(setting: &Setting<'_>) -> Option<(usize, Coefficients)> {
     Some((chosen.0, chosen.2))
 }
 
-/// The rows about the largest force.
-fn excerpt(stretches: &[Stretch]) -> Option<Stretch> {
-    let peak = |it: &Stretch| it.forces.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
-    let stretch = stretches.iter().max_by(|one, other| peak(one).total_cmp(&peak(other)))?;
-    let most = peak(stretch);
-    let at = stretch.forces.iter().position(|it| it.abs() == most)?;
-    let first = at.saturating_sub(LOOKED / 2).min(stretch.len().saturating_sub(LOOKED));
-    let rows = first..(first + LOOKED).min(stretch.len());
-    let part = |of: &[f64]| of.get(rows.clone()).map(<[f64]>::to_vec).unwrap_or_default();
-    Some(Stretch {
-        times: part(&stretch.times),
-        positions: part(&stretch.positions),
-        forces: part(&stretch.forces),
-        velocities: part(&stretch.velocities),
-    })
+/// The rows about the largest force, with those beyond the gaps beside it: a few rows between two gaps tell nothing.
+fn excerpt(stretches: &[Stretch]) -> Vec<Stretch> {
+    let forces = || stretches.iter().flat_map(|it| &it.forces).map(|it| it.abs());
+    let most = forces().fold(0.0, f64::max);
+    let at = forces().position(|it| it == most).unwrap_or_default();
+    let from = at.saturating_sub(LOOKED / 2).min(forces().count().saturating_sub(LOOKED));
+    let mut before = 0;
+    let part = |stretch: &Stretch| {
+        let rows = [from, from + LOOKED].map(|it| it.saturating_sub(before).min(stretch.len()));
+        before += stretch.len();
+        stretch.part(rows[0]..rows[1])
+    };
+    stretches.iter().map(part).filter(|it| it.len() >= FEWEST_OF_STRETCH).collect()
 }
 
 #[cfg(test)]
@@ -345,10 +343,13 @@ mod tests {
                 forces,
                 velocities: numbers(2.0),
             };
-            let short = Stretch { forces: vec![2.0; 100], ..long.clone() };
-            let found = excerpt(&[short, long]).unwrap();
-            assert_eq!((found.len(), found.positions[0]), (4000, f64::from(first)), "{at}");
-            assert!(found.forces.contains(&-3.0));
+            let found = excerpt(std::slice::from_ref(&long));
+            assert_eq!((found[0].len(), found[0].positions[0]), (4000, f64::from(first)), "{at}");
+            assert!(found[0].forces.contains(&-3.0));
+            // The same rows between gaps.
+            let cut: Vec<_> = (0..10).map(|it| long.part(1000 * it..1000 * (it + 1))).collect();
+            let joined: Vec<f64> = excerpt(&cut).into_iter().flat_map(|it| it.positions).collect();
+            assert_eq!(joined, found[0].positions, "{at}");
         }
     }
 }

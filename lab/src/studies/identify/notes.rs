@@ -10,16 +10,26 @@ const LEFT: f64 = 0.1;
 
 /// Share of the largest force above which a wall is said to leave something, and times that the error of fitted positions makes of
 /// it: a loop that computes its force from `x` leaves rounding, and one that saw another `x` up to once that error.
-const OWN: f64 = 1e-4;
+const OWN: f64 = 1e-6;
 const UNSURE: f64 = 5.0;
 
-/// Share of the stiffness above which errors of the position are said to make it too low.
+/// Share of the stiffness above which errors of the position are said to make it too low, and the share of the error that would do
+/// that which the positions have to show at least.
 const LOST: f64 = 0.02;
+const SHOWN: f64 = 0.01;
+
+/// Share of the period by which the steps of `t` scatter when that is told.
+const UNEVEN: f64 = 0.01;
+
+/// Share of the way from the least to the largest position from which on the steps of `x` are called coarse.
+const COARSE: f64 = 0.01;
 
 pub(super) fn notes(recording: &Recording, device: &Device, wall: Option<&Wall>) -> Vec<String> {
     let told = [
         recording.unread_axes.clone(),
         gaps(recording),
+        uneven(recording),
+        coarse(recording),
         pushed(device),
         late(recording, device, wall),
         zero(device),
@@ -28,7 +38,8 @@ pub(super) fn notes(recording: &Recording, device: &Device, wall: Option<&Wall>)
         wall.and_then(clipped),
         wall.and_then(|wall| left(recording, wall)),
         wall.and_then(stray),
-        wall.and_then(blurred),
+        wall.and_then(|wall| blurred(recording, device, wall)),
+        wall.and_then(|wall| filtered(recording, wall)),
     ];
     told.into_iter().flatten().collect()
 }
@@ -39,6 +50,25 @@ fn gaps(recording: &Recording) -> Option<String> {
     (gaps > 0).then(|| {
         format!("{times} cut the log into {} stretches; the scene starts with the first", gaps + 1)
     })
+}
+
+fn uneven(recording: &Recording) -> Option<String> {
+    let scatter = recording.scatter();
+    (scatter > UNEVEN * recording.period).then(|| {
+        format!(
+            "the steps of t scatter by {} (root mean square): if the loop ticks more evenly than it is stamped, the intervals are \
+             too narrow, and t in even steps tells more",
+            prefixed(scatter, "s")
+        )
+    })
+}
+
+fn coarse(recording: &Recording) -> Option<String> {
+    let step = recording.resolution().filter(|step| *step > COARSE * recording.travel())?;
+    let share = found(100.0 * step / recording.travel());
+    Some(format!(
+        "the steps of x are {share} % of its way: the intervals count rounding to them as noise, which it is less the coarser they are"
+    ))
 }
 
 fn pushed(device: &Device) -> Option<String> {
@@ -152,14 +182,32 @@ fn stray(wall: &Wall) -> Option<String> {
     })
 }
 
-fn blurred(wall: &Wall) -> Option<String> {
+fn blurred(recording: &Recording, device: &Device, wall: &Wall) -> Option<String> {
     // An error of the position with this deviation would leave as much of the force.
     let deviation = wall.error / wall.at[0];
     let lost = (deviation / wall.travel).powi(2);
-    (wall.seen != Seen::Fitted && lost > LOST).then(|| {
+    let steps = recording.resolution().unwrap_or_default();
+    let has_error = device.error.max(steps) > SHOWN * deviation;
+    (wall.seen != Seen::Fitted && lost > LOST && has_error).then(|| {
         format!(
             "if the wall saw x without the error that the log has, its stiffness is up to {} % too low",
             found(100.0 * lost)
         )
+    })
+}
+
+fn filtered(recording: &Recording, wall: &Wall) -> Option<String> {
+    let differs = || {
+        recording.stretches.iter().any(|it| {
+            let steps = it.times.windows(2).zip(it.positions.windows(2));
+            let differences = steps.map(|(t, x)| (x[1] - x[0]) / (t[1] - t[0]));
+            let apart = differences.zip(&it.velocities[1..]).map(|(v, logged)| (v - logged).abs());
+            apart.fold(0.0, f64::max) > OWN * wall.speed
+        })
+    };
+    (wall.seen == Seen::WithVelocity && differs()).then(|| {
+        "the wall is fitted to the v of the log, and the scene takes the backward difference of x: give it the filter that the \
+         loop has, as in [effects.filter]"
+            .to_owned()
     })
 }

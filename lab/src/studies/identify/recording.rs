@@ -12,7 +12,7 @@ use crate::measure::sanity::LogSigns;
 const MOST: usize = 200_000;
 
 /// Fewest rows of a stretch that is fitted to.
-const FEWEST: usize = 8;
+pub(super) const FEWEST_OF_STRETCH: usize = 8;
 
 /// The good rows of a log, in stretches without a gap.
 #[derive(Clone, Debug)]
@@ -104,6 +104,14 @@ impl Recording {
         if steps > 0 { time / steps as f64 } else { self.period }
     }
 
+    /// The deviation of the time steps within the stretches from their mean, root mean square, s.
+    pub(super) fn scatter(&self) -> f64 {
+        let mean = self.mean_period();
+        let steps = || self.stretches.iter().flat_map(|it| it.times.windows(2));
+        let squares: f64 = steps().map(|it| (it[1] - it[0] - mean).powi(2)).sum();
+        (squares / steps().count().max(1) as f64).sqrt()
+    }
+
     /// The largest magnitude of the force, N.
     pub(super) fn largest_force(&self) -> f64 {
         self.stretches.iter().flat_map(|it| &it.forces).fold(0.0_f64, |most, it| most.max(it.abs()))
@@ -171,7 +179,7 @@ fn stretches(rows: &[(Sample, bool)], origin: f64, period: f64) -> (Vec<Stretch>
         !step.spans && !step.is_gap(period)
     };
     let parts = || rows.chunk_by(goes_on);
-    let long = parts().filter(|it| it.len() >= FEWEST);
+    let long = parts().filter(|it| it.len() >= FEWEST_OF_STRETCH);
     let stretch = |rows: &[(Sample, bool)]| Stretch {
         times: rows.iter().map(|it| it.0.since).collect(),
         positions: rows.iter().map(|it| it.0.x - origin).collect(),

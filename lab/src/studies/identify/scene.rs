@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::alone::Alone;
 use super::estimate::Estimate;
 use super::report::Report;
-use crate::text::legible;
+use crate::text::{legible, to_digits};
 
 /// Share of a tick by which a log may end after the last one.
 const ROUNDING: f64 = 1e-6;
@@ -21,7 +21,37 @@ pub(super) fn toml(report: &Report, alone: Alone, origin: f64) -> String {
 
 fn write(out: &mut String, report: &Report, alone: Alone, origin: f64) -> std::fmt::Result {
     // The sum has digits of its rounding behind the fifteenth.
-    let place = |it: f64| rounded(origin + tidy(it - origin), 15);
+    let place = |it: f64| to_digits(origin + tidy(it - origin), 15);
+    write_times(out, report)?;
+    writeln!(out, "\n[operator]\nstiffness = {}", told(&report.stiffness, "N/m", tidy))?;
+    match &report.rest {
+        Some(rest) => writeln!(out, "rest = {}", told(rest, "m", place))?,
+        // The load is the force there.
+        None if origin != 0.0 => writeln!(out, "rest = {origin:?}")?,
+        None => {}
+    }
+    write_body(out, report, alone)?;
+    let (position, velocity) = (place(report.start[0]), tidy(report.start[1]));
+    writeln!(out, "\n[initial]\nposition = {position:?}\nvelocity = {velocity:?}")?;
+    match &report.wall {
+        Some(wall) => {
+            writeln!(out, "\n[environment.wall]\nposition = {}", told(&wall.position, "m", place))?;
+            writeln!(out, "stiffness = {}", told(&wall.stiffness, "N/m", tidy))?;
+            writeln!(out, "damping = {}", told(&wall.damping, "N.s/m", tidy))?;
+        }
+        None => {
+            let place = place(report.furthest);
+            writeln!(
+                out,
+                "\n# The log tells no wall.\n[environment.wall]\nposition = {place:?}\nstiffness = 0.0"
+            )?;
+        }
+    }
+    write_effects(out, report)
+}
+
+/// The head, the duration and the rate.
+fn write_times(out: &mut String, report: &Report) -> std::fmt::Result {
     let name = legible(&report.log);
     let intervals = if report.residual.is_pushed { "" } else { "95 % " };
     writeln!(
@@ -35,14 +65,11 @@ fn write(out: &mut String, report: &Report, alone: Alone, origin: f64) -> std::f
     writeln!(
         out,
         "# Look at x: it should follow the log.\nduration = {duration:?}\nservo_rate = {rate:?}"
-    )?;
-    writeln!(out, "\n[operator]\nstiffness = {}", told(&report.stiffness, "N/m", tidy))?;
-    match &report.rest {
-        Some(rest) => writeln!(out, "rest = {}", told(rest, "m", place))?,
-        // The load is the force there.
-        None if origin != 0.0 => writeln!(out, "rest = {origin:?}")?,
-        None => {}
-    }
+    )
+}
+
+/// The mass and the damping, those of a device that is known alone apart from the hand's.
+fn write_body(out: &mut String, report: &Report, alone: Alone) -> std::fmt::Result {
     let parts = [
         ("mass", &report.mass, "kg", alone.mass),
         ("damping", &report.damping, "N.s/m", alone.damping),
@@ -61,22 +88,10 @@ fn write(out: &mut String, report: &Report, alone: Alone, origin: f64) -> std::f
             None => writeln!(out, "{key} = {}; of the hand too", told(sum, unit, tidy))?,
         }
     }
-    let (position, velocity) = (place(report.start[0]), tidy(report.start[1]));
-    writeln!(out, "\n[initial]\nposition = {position:?}\nvelocity = {velocity:?}")?;
-    match &report.wall {
-        Some(wall) => {
-            writeln!(out, "\n[environment.wall]\nposition = {}", told(&wall.position, "m", place))?;
-            writeln!(out, "stiffness = {}", told(&wall.stiffness, "N/m", tidy))?;
-            writeln!(out, "damping = {}", told(&wall.damping, "N.s/m", tidy))?;
-        }
-        None => {
-            let place = place(report.furthest);
-            writeln!(
-                out,
-                "\n# The log tells no wall.\n[environment.wall]\nposition = {place:?}\nstiffness = 0.0"
-            )?;
-        }
-    }
+    Ok(())
+}
+
+fn write_effects(out: &mut String, report: &Report) -> std::fmt::Result {
     if let Some(resolution) = report.resolution {
         writeln!(out, "\n[effects.encoder]\nresolution = {:?}", tidy(resolution))?;
     }
@@ -100,11 +115,5 @@ fn told(it: &Estimate, unit: &str, digits: impl Fn(f64) -> f64) -> String {
 /// A number with ten digits, since no log tells more, and 0 where a number of a scene is as good as that.
 fn tidy(value: f64) -> f64 {
     const NOTHING: f64 = 1e-12;
-    if value.abs() < NOTHING { 0.0 } else { rounded(value, 10) }
-}
-
-/// A number with so many digits.
-fn rounded(value: f64, digits: usize) -> f64 {
-    let behind = digits - 1;
-    format!("{value:.behind$e}").parse().unwrap_or(value)
+    if value.abs() < NOTHING { 0.0 } else { to_digits(value, 10) }
 }

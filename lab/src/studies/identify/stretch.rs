@@ -1,5 +1,7 @@
 //! Stretch of a log without a gap.
 
+use std::ops::Range;
+
 /// Rows of a log between two gaps, in SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Stretch {
@@ -14,6 +16,17 @@ pub(super) struct Stretch {
 impl Stretch {
     pub(super) fn len(&self) -> usize {
         self.times.len()
+    }
+
+    /// Some of its rows.
+    pub(super) fn part(&self, rows: Range<usize>) -> Self {
+        let part = |of: &[f64]| of.get(rows.clone()).map(<[f64]>::to_vec).unwrap_or_default();
+        Self {
+            times: part(&self.times),
+            positions: part(&self.positions),
+            forces: part(&self.forces),
+            velocities: part(&self.velocities),
+        }
     }
 }
 

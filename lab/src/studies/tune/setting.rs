@@ -6,6 +6,7 @@ use crate::files::Scene;
 use crate::files::scene::{Conflict, Parameter, Search, Spacing};
 use crate::simulate::family::StabilizerName;
 use crate::simulate::{Fitted, Space};
+use crate::text::to_digits;
 
 /// A stabilizer on a scene, with the values of the numbers that are tuned.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,14 +57,9 @@ impl Number {
             Spacing::Linear => lower + place * (upper - lower),
             Spacing::Logarithmic => lower * libm::pow(upper / lower, place),
         };
-        let value = if self.is_whole { value.round() } else { to_three_digits(value) };
+        let value = if self.is_whole { value.round() } else { to_digits(value, 3) };
         Self { value: value.clamp(lower, upper), ..*self }
     }
-}
-
-/// `value` with three significant digits.
-fn to_three_digits(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 impl Setting {
