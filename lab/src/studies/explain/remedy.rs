@@ -55,8 +55,8 @@ pub enum Change {
     Word(&'static str),
 }
 
-/// Run of a scene in one space, reported to a watch; none if it grows or does not decay.
-pub(super) type Run = fn(&Scene, &Watch<'_>) -> Option<Trial>;
+/// Run of a scene in one space, reported to a watch; none without a verdict that is wanted, or where the loop does not decay.
+pub(super) type Run = fn(&Scene, &dyn Fn(Verdict) -> bool, &Watch<'_>) -> Option<Trial>;
 
 /// Search for changes whose run reaches a goal.
 pub(super) struct Search<'a> {
@@ -92,9 +92,8 @@ impl Search<'_> {
         if self.is_stopped() {
             return None;
         }
-        let trial = (self.run)(&scene, self.watch);
-        let helps = |trial: &Trial| self.goal.is_reached(trial.verdict) && trial.moved != self.own;
-        let trial = trial.filter(helps)?;
+        let trial = (self.run)(&scene, &|verdict| self.goal.is_reached(verdict), self.watch);
+        let trial = trial.filter(|trial| trial.moved != self.own)?;
         let Trial { verdict, feel: Feel { peak, error }, .. } = trial;
         Some(Remedy { changes, scene, verdict, peak_force: peak, force_error: error })
     }
