@@ -4,37 +4,50 @@ use super::columns::Role;
 use super::heading::Heading;
 use crate::text::shorten;
 
-/// The axes of a space, by the names of position and force.
-const AXES: [(&str, &[&str]); 3] = [
-    ("x", &["f_act", "f_x", "fx"]),
-    ("y", &["y_f_act", "f_y", "fy"]),
-    ("z", &["z_f_act", "f_z", "fz"]),
-];
+/// The axes of a space.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// What the name of a position, and that of a force, has beside the name of its axis.
+const POSITIONS: [&str; 4] = ["", "pos", "position", "x"];
+const FORCES: [&str; 3] = ["f", "force", "f_act"];
+
+/// The parts of a name without that of `axis`; none where it has no such part.
+fn beside(name: &str, axis: &str) -> Option<String> {
+    let mut parts: Vec<&str> = name.split('_').collect();
+    let at = parts.iter().position(|it| it.eq_ignore_ascii_case(axis))?;
+    parts.remove(at);
+    Some(parts.join("_").to_ascii_lowercase())
+}
+
+fn is_position(name: &str, axis: &str) -> bool {
+    beside(name, axis).is_some_and(|it| POSITIONS.contains(&it.as_str()))
+}
+
+fn is_force(name: &str, axis: &str) -> bool {
+    // The first axis of a scene's rows has no name.
+    let own = if axis == "x" { "f_act" } else { "" };
+    beside(name, axis).is_some_and(|it| FORCES.contains(&it.as_str()))
+        || [own, &format!("f{axis}")].iter().any(|it| it.eq_ignore_ascii_case(name))
+}
 
 /// A sentence about the `headings` that hold position and force of an axis which the position called `read` is not of; none
 /// without one.
 ///
 /// A column of either alone may be anything, such as an output `y` of a controller.
 pub(super) fn unread(read: &str, headings: &[String]) -> Option<String> {
-    let find = |role, names: &[&str]| {
-        let is_such = |text: &&String| {
-            let name = Heading::of(text, role).name;
-            names.iter().any(|it| it.eq_ignore_ascii_case(name))
-        };
-        headings.iter().find(is_such)
+    let find = |role, is_such: &dyn Fn(&str) -> bool| {
+        headings.iter().find(|text| is_such(Heading::of(text, role).name))
     };
     let name = Heading::of(read, Role::X).name;
-    let is_own =
-        |axis: &str| name.split('_').next().is_some_and(|it| it.eq_ignore_ascii_case(axis));
-    let own = if is_own("y") { 1 } else { 2 * usize::from(is_own("z")) };
+    let own = (1..AXES.len()).find(|it| beside(name, AXES[*it]).is_some()).unwrap_or(0);
     let mut further = Vec::new();
-    for (index, (axis, forces)) in AXES.into_iter().enumerate() {
-        let columns = find(Role::X, &[axis]).zip(find(Role::F, forces));
-        if let Some((position, force)) = columns.filter(|_| index != own) {
+    for axis in AXES.iter().filter(|it| **it != AXES[own]) {
+        let position = find(Role::X, &|name| is_position(name, axis));
+        if let Some((position, force)) = position.zip(find(Role::F, &|name| is_force(name, axis))) {
             further.extend([shorten(position), shorten(force)]);
         }
     }
-    let read = if own == 0 { "the first axis" } else { AXES[own].0 };
+    let read = if own == 0 { "the first axis" } else { AXES[own] };
     (!further.is_empty()).then(|| {
         format!(
             "the log has columns of further axes ({}): only {read} is read, and energy that passes along the others is missing",
@@ -59,6 +72,9 @@ mod tests {
             ("y", "t,x,f_act,y,y_f_act", "(x, f_act): only y is read"),
             ("x [mm]", "t,x [mm],y [mm],Fx,Fy [kN]", "(y [mm], Fy [kN]): only the first"),
             ("position", "t,position,f,z_mm,f_z", "(z_mm, f_z): only the first"),
+            ("pos", "time,pos,force,pos_y,force_y", "(pos_y, force_y): only the first"),
+            ("x", "t,x,f,x_y,y_f", "(x_y, y_f): only the first"),
+            ("pos_y", "t,pos_x,force_x,pos_y,force_y", "(pos_x, force_x): only y"),
         ] {
             let found = told(read, headings).unwrap_or_default();
             assert!(found.contains(columns), "{headings}: {found}");

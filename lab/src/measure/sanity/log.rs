@@ -157,10 +157,11 @@ impl LogSigns {
         let gives = self.held.value() < 0.0 || reversed.is_some();
         let sizes = if gives { &self.by_hand } else { &self.all };
         // A bad reading moves faster than any hand as well.
-        let moved = self.jump.finish().or_else(|| motion(sizes));
+        let time = time(period);
+        let moved = self.jump.finish().or_else(|| motion(sizes, time.is_none()));
         let told = [
             self.bad_rows(bad),
-            time(period),
+            time,
             moved,
             strong(sizes),
             self.faint(),
@@ -245,12 +246,13 @@ fn time(period: f64) -> Option<Oddity> {
     }
 }
 
-fn motion(sizes: &Sizes) -> Option<Oddity> {
+/// A motion that no hand makes; its speed is judged where the times are.
+fn motion(sizes: &Sizes, is_timed: bool) -> Option<Oddity> {
     let (travel, Largest { size: speed, time }) = (sizes.high - sizes.low, sizes.speed);
     let seen = if travel > REACH {
         let [low, high] = [sizes.low, sizes.high].map(found);
         format!("x runs from {low} to {high} m, further than arms reach")
-    } else if speed > THROW {
+    } else if is_timed && speed > THROW {
         format!("x moves at {} m/s at {} s, faster than any hand", found(speed), found(time))
     } else {
         return None;
