@@ -1,9 +1,11 @@
 //! Names and numbers in columns, for the terminal and for a page.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use maud::{Markup, html};
 use textwrap::core::display_width;
+use textwrap::{Options, WordSplitter};
 
 use super::html::verdict;
 use crate::text::{found, legible};
@@ -11,13 +13,13 @@ use crate::text::{found, legible};
 /// The widest line in the terminal.
 const WIDEST: usize = 100;
 
-/// The least width that the first column keeps when it is cut.
+/// The least width that the first column keeps.
 const SHORTEST: usize = 8;
 
 const BETWEEN: &str = "  ";
 
 /// Rows of cells under headings. `Display` shows it in the terminal, in 100 columns at most; the cells of the first
-/// column are cut to fit.
+/// column are broken into lines to fit.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     headings: Vec<Heading>,
@@ -203,25 +205,28 @@ impl Table {
         widths
     }
 
+    /// A row of cells: a line, and more where the first cell takes them.
+    fn lines<'a>(&self, cells: impl Iterator<Item = &'a str>, widths: &[usize]) -> Vec<String> {
+        let cells: Vec<&str> = cells.collect();
+        let room = widths.first().copied().unwrap_or_default();
+        let options = Options::new(room).word_splitter(WordSplitter::HyphenSplitter);
+        let firsts = textwrap::wrap(cells.first().copied().unwrap_or_default(), options);
+        let others = cells.get(1..).unwrap_or_default();
+        let line = |(index, first): (usize, Cow<'_, str>)| {
+            let beside = others.iter().map(|cell| if index == 0 { *cell } else { "" });
+            self.line(std::iter::once(&*first).chain(beside), widths)
+        };
+        firsts.into_iter().enumerate().map(line).collect()
+    }
+
     /// One line of cells.
     fn line<'a>(&self, cells: impl Iterator<Item = &'a str>, widths: &[usize]) -> String {
         let padded = self.headings.iter().zip(widths).zip(cells).map(|((heading, width), cell)| {
-            let cell = cut(cell, *width);
-            let blanks = " ".repeat(width.saturating_sub(display_width(&cell)));
-            if heading.is_number { blanks + &cell } else { cell + &blanks }
+            let blanks = " ".repeat(width.saturating_sub(display_width(cell)));
+            if heading.is_number { blanks + cell } else { cell.to_owned() + &blanks }
         });
         padded.collect::<Vec<_>>().join(BETWEEN).trim_end().to_owned()
     }
-}
-
-/// `text` cut to `room`.
-fn cut(text: &str, room: usize) -> String {
-    let mut text = text.to_owned();
-    if display_width(&text) > room {
-        while display_width(&text) + 3 > room && text.pop().is_some() {}
-        text += "...";
-    }
-    text
 }
 
 impl fmt::Display for Table {
@@ -234,9 +239,10 @@ impl fmt::Display for Table {
         let rules: Vec<String> = widths.iter().map(|width| "-".repeat(*width)).collect();
         writeln!(f, "{}", rules.join(BETWEEN))?;
         self.rows.iter().try_for_each(|row| match row {
-            Row::Cells(cells) => {
-                writeln!(f, "{}", self.line(cells.iter().map(|cell| cell.text.as_str()), &widths))
-            }
+            Row::Cells(cells) => self
+                .lines(cells.iter().map(|cell| cell.text.as_str()), &widths)
+                .iter()
+                .try_for_each(|line| writeln!(f, "{line}")),
             Row::Words(words) => writeln!(f, "{words}"),
         })
     }
@@ -274,10 +280,11 @@ mod tests {
 
     #[test]
     fn a_table_fits_the_terminal_whatever_is_in_it() {
-        for name in ["long ".repeat(50), "\u{1b}[2J\n".repeat(30), "\u{6f22}".repeat(80)] {
-            let shown = table(&name).to_string();
+        let names = [("long ", 'g', 50), ("\u{1b}[2J\n", 'J', 30), ("\u{6f22}", '\u{6f22}', 80)];
+        for (name, letter, count) in names {
+            let shown = table(&name.repeat(count)).to_string();
             assert!(shown.lines().all(|line| display_width(line) <= WIDEST), "{shown}");
-            assert!(shown.contains("...") && shown.lines().count() == 4, "{shown}");
+            assert_eq!(shown.matches(letter).count(), count, "{shown}");
             assert!(!shown.contains('\u{1b}'), "{shown}");
         }
     }

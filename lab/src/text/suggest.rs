@@ -26,7 +26,12 @@ fn plain(word: &str) -> String {
 }
 
 fn likeness(word: &str, candidate: &str) -> f64 {
-    let likeness = strsim::normalized_damerau_levenshtein(word, candidate);
+    let alike = strsim::normalized_damerau_levenshtein;
+    // Keys of other names in the tables of the same name share many letters, and mean other things.
+    let likeness = match (word.rsplit_once('.'), candidate.rsplit_once('.')) {
+        (Some((_, name)), Some((_, other))) if alike(name, other) < ALIKE => 0.0,
+        _ => alike(word, candidate),
+    };
     let contained = word.len() >= 3 && (candidate.contains(word) || word.contains(candidate));
     let end =
         word.contains('.') && candidate.strip_suffix(word).is_some_and(|it| it.ends_with('.'));
@@ -47,5 +52,7 @@ mod tests {
         assert_eq!(nearest("wall.stiffness", &keys), Some("environment.wall.stiffness"));
         assert_eq!(nearest("stifness", &["mass", "stiffness"]), Some("stiffness"));
         assert_eq!(nearest("qwertz", &keys), None);
+        assert_eq!(nearest("environment.sphere.radius", &keys), None);
+        assert_eq!(nearest("enviroment.wall.damp", &keys), Some("environment.wall.damping"));
     }
 }
