@@ -117,6 +117,29 @@ def test_a_force_that_is_no_number_is_told_as_such(scene, axes):
         ly.run(ly.Scene.shipped(scene), stabilizer=Lost())
 
 
+class Once:
+    """A stabilizer that hands the force on, and on one tick a correction with something else in it."""
+
+    def __init__(self, **odd):
+        self.tick, self.odd = 0, odd
+
+    def stabilize(self, sample, effort):
+        self.tick += 1
+        return ly.Correction(effort, **(self.odd if self.tick == 300 else {}))
+
+
+@pytest.mark.parametrize("field", ["alpha", "observed_energy", "shortfall"])
+@pytest.mark.parametrize("odd", [float("nan"), float("inf")])
+def test_energies_and_dampings_are_numbers(field, odd):
+    with pytest.raises(ValueError, match="whose energies and damping are not all finite; say accepted=False"):
+        ly.run(ly.Scene.shipped("spring"), stabilizer=Once(**{field: odd}))
+
+
+def test_a_run_that_its_stabilizer_cuts_short_is_told_as_such():
+    told = str(ly.run(ly.Scene.shipped("spring"), stabilizer=Once(accepted=False)))
+    assert "the stabilizer rejected a sample" in told and "its stabilizer cut it short" in told and "range" not in told
+
+
 @pytest.mark.parametrize(
     "own, told",
     [

@@ -11,6 +11,9 @@ use crate::simulate::{Rollout, Row, Space, Stabilizing, Tick};
 /// Lengths and energies are reported in thousandths of their units.
 pub(crate) const MILLI: f64 = 1e3;
 
+/// Distance from 0 below which no square of a motion leaves the range of a scalar, m.
+const NEAR: f64 = 1e6;
+
 /// Summary of a run, built tick by tick.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
@@ -235,6 +238,13 @@ impl Summary {
     pub fn left_range(&self) -> Option<f64> {
         let complete = self.rows == self.scene.ticks() + 1;
         (!complete).then(|| self.last.map_or(0.0, |row| row.t))
+    }
+
+    /// Whether it was not the motion that left the range, which was nowhere near its end, but a stabilizer of the caller's that
+    /// rejected a sample.
+    pub(crate) fn is_rejected(&self) -> bool {
+        let is_near = self.place.iter().all(|it| it.abs() < NEAR);
+        self.left_range().is_some() && self.stabilizing.is_own() && is_near
     }
 }
 

@@ -129,7 +129,10 @@ impl fmt::Display for Summary {
                 0 => write!(f, "\n  cut short    at t = 0 s, before the first row")?,
                 _ => write!(f, "\n  cut short    after t = {} s", given(time))?,
             }
-            write!(f, ": the motion left the range of {}", self.scene.scalar.name())?;
+            match self.is_rejected() {
+                true => write!(f, ": the stabilizer rejected a sample")?,
+                false => write!(f, ": the motion left the range of {}", self.scene.scalar.name())?,
+            }
         }
         write!(f, "\n{}", folded("  verdict      ", &self.verdict_in_words()))?;
         write!(

@@ -52,7 +52,9 @@ impl Summary {
     /// The verdict, and the numbers that it follows from.
     pub(super) fn verdict_in_words(&self) -> String {
         let verdict = self.verdict();
-        let why = if self.left_range().is_some() {
+        let why = if self.is_rejected() {
+            "its stabilizer cut it short".to_owned()
+        } else if self.left_range().is_some() {
             "it left the range of the numbers".to_owned()
         } else if verdict == Verdict::TooShort {
             self.shortage()

@@ -22,6 +22,11 @@ impl Stabilizing {
         Self::Foreign(name.rsplit("::").next().unwrap_or(name).into())
     }
 
+    /// Whether it is the caller's own, which may reject any sample.
+    pub(crate) fn is_own(&self) -> bool {
+        matches!(self, Self::Foreign(_) | Self::Table(Some(Stabilizer::Own(_))))
+    }
+
     /// Whether there is a stabilizer.
     pub(crate) fn is_there(&self) -> bool {
         *self != Self::Table(None)

@@ -84,13 +84,18 @@ impl PythonStabilizer {
             )));
         };
         let made = V::of_correction(&correction.get().0).copied()?;
-        let is_number = (0..V::COUNT).all(|axis| !made.effort.along(axis).is_nan());
-        is_number.then_some(made).ok_or_else(|| {
-            PyValueError::new_err(format!(
-                "stabilize(sample, effort) returned {}, whose effort is not a number",
-                correction.get().told()
-            ))
-        })
+        let has_effort = (0..V::COUNT).all(|axis| !made.effort.along(axis).is_nan());
+        let tells =
+            [made.observed_energy, made.alpha, made.shortfall].iter().all(|it| it.is_finite());
+        let what = match (has_effort, tells || !made.accepted) {
+            (true, true) => return Ok(made),
+            (false, _) => "whose effort is not a number",
+            (true, false) => {
+                "whose energies and damping are not all finite; say accepted=False of a sample of no use"
+            }
+        };
+        let told = correction.get().told();
+        Err(PyValueError::new_err(format!("stabilize(sample, effort) returned {told}, {what}")))
     }
 }
 
