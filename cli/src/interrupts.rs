@@ -1,8 +1,10 @@
 //! Interrupts, and what has to be tidied up after one.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::thread;
 use std::time::Duration;
+use std::{process, thread};
+
+use crate::commands::End;
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
@@ -40,19 +42,23 @@ pub(crate) fn is_interrupted() -> bool {
 }
 
 /// Takes note of interrupts from here on, for [`is_interrupted`]. A signal that is ignored stays ignored, as `nohup` and
-/// shells ask for. Once nothing has to be tidied up, `end` ends the process.
+/// shells ask for.
 ///
 /// It has to be called before any thread is started. Where it fails an interrupt ends the process at once; only the
 /// tidying up is lost.
-pub(crate) fn heed(end: impl Fn() + Send + 'static) {
-    system::heed(move || {
-        INTERRUPTED.store(true, Ordering::Relaxed);
-        thread::sleep(GRACE);
-        while UNTIDY.load(Ordering::SeqCst) > 0 {
-            thread::sleep(BREATH);
-        }
-        end();
-    });
+pub(crate) fn heed() {
+    system::heed(interrupt);
+}
+
+/// Interrupts the command that runs in this process, and ends the process once nothing has to be tidied up: for a program that heeds
+/// signals itself, as an interpreter does.
+pub fn interrupt() {
+    INTERRUPTED.store(true, Ordering::Relaxed);
+    thread::sleep(GRACE);
+    while UNTIDY.load(Ordering::SeqCst) > 0 {
+        thread::sleep(BREATH);
+    }
+    process::exit(End::Interrupted.report().into());
 }
 
 #[cfg(target_os = "linux")]

@@ -38,3 +38,4 @@ mod parquet;
 mod pictures;
 
 pub use bench::Bench;
+pub use interrupts::interrupt;

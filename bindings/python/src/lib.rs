@@ -28,7 +28,7 @@ mod _lyapunov {
     #[pymodule_export]
     use crate::blocks::{Correction, Observer, Readings, Sample, Stabilizer, damping_limit};
     #[pymodule_export]
-    use crate::command::command;
+    use crate::command::{command, interrupt};
     #[pymodule_export]
     use crate::lab::accuracy::accuracy;
     #[pymodule_export]

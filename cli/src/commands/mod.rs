@@ -27,7 +27,6 @@ use std::fmt::Display;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::process;
 use std::sync::OnceLock;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
@@ -70,7 +69,7 @@ enum Command {
 
 impl Command {
     fn run(self) -> u8 {
-        interrupts::heed(|| process::exit(End::Interrupted.report().into()));
+        interrupts::heed();
         let end = match self {
             Self::Run(run) => run.run(),
             Self::Compare(compare) => compare.run(),
