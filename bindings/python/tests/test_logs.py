@@ -154,3 +154,40 @@ def test_signs_of_a_mistake_name_arguments():
     told = str(ly.observe({**SECONDS, "x": 1e5 * SECONDS["x"]}))
     assert 'scale="x=1e-3"' in told and "--scale" not in told
     assert "contact is 9 N" in str(ly.observe(SECONDS, contact=9.0))
+
+
+def test_an_array_may_have_velocities():
+    four = {**SECONDS, "v": np.full(200, 5.0)}
+    credited = {"candidate": "device-damping", "damping": 1.0}
+    named = numbers(ly.observe(four, columns="t,x,f,v", **credited))
+    assert numbers(ly.observe(np.column_stack(list(four.values())), **credited)) == named
+    assert named != numbers(ly.observe(SECONDS, **credited))
+
+
+@pytest.mark.parametrize("labels", [[0, 1, 2], [1, 2, 3], ["time, s", "# x", "f\nN"], ["1e3", "nan", ""]])
+def test_a_label_is_never_a_number(labels):
+    log = pytest.importorskip("pandas").DataFrame(np.column_stack(list(SECONDS.values())), columns=labels)
+    by_label = [str(label) for label in labels]
+    for columns in (by_label, "1,2,3"):
+        assert numbers(ly.observe(log, columns=columns)) == numbers(ly.observe(SECONDS))
+
+
+def test_labels_come_before_numbers():
+    log = pytest.importorskip("pandas").DataFrame(np.column_stack([STEPS, *SECONDS.values()]))
+    assert numbers(ly.observe(log, columns="1,2,3")) == numbers(ly.observe(SECONDS))
+    with pytest.raises(ly.InputError, match="the log has no column 7\n  = its columns are: 0, 1, 2, 3; or give"):
+        ly.observe(log, columns="7,2,3")
+    with pytest.raises(ly.InputError, match="columns names 2 columns"):
+        ly.observe(log, columns=["1", "2"])
+
+
+def test_whole_numbers_keep_their_digits():
+    """Nanoseconds of today are 256 ns apart in float64."""
+    time = 1_700_000_000_123_456_789 + 50_000 * STEPS.astype(np.int64)
+    told = ly.observe({**SECONDS, "t": time}, scale={"t": 1e-9})
+    assert told.document["median_period"] == pytest.approx(5e-5, rel=1e-9)
+
+
+@pytest.mark.parametrize("other", [1000.0, None, "omega.3", [1, 2]])
+def test_what_is_beside_a_log_is_left_out(other):
+    assert numbers(ly.observe({**SECONDS, "rate": other}, columns=["t", "x", "f"])) == numbers(ly.observe(SECONDS))

@@ -239,18 +239,18 @@ def observe(
 ) -> Observation:
     """When a recorded device generated energy, how much and in which contact.
 
-    `log` is a file with the columns t, x, f and perhaps v, or those that `columns` names, "T,X,F[,V]" or a list; or a table in memory: a
-    dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI by the
+    `log` is a file with the columns t, x and f, or those that `columns` names, "T,X,F[,V]" or a list, by label or else by number from 1;
+    or a table in memory: a dictionary of columns, a DataFrame, or an array of shape (rows, 3) or (rows, 4), t, x, f[, v]. `scale` gives factors to SI by the
     letters t, x, f and v, whatever the log calls its columns: {"x": 1e-3}, "x=1e-3,f=-1" or a list. `candidate` is "spring",
     "device-damping" with `damping`, N·s/m, or "mass-spring-damper" with `surface`, m, too. `contact`, N, is the force above which there
     is contact. With `stabilizers` and the `scene` that sets their numbers, what they would have done on the recorded motion. `late` is by
     how many rows the force acts later than its own.
     """
-    named = _names("columns", columns)
+    source, read = logs.read(log, columns if columns is None or isinstance(columns, str) else _words("columns", columns))
     with shown(progress, "observe") as bar:
         told = _lyapunov.observe(
-            logs.read(log, named),
-            named,
+            source,
+            read,
             _scales(scale),
             candidate,
             damping,
