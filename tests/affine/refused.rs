@@ -36,6 +36,9 @@ fn parameters_are_refused_by_name() {
     assert_eq!(name(DcMotor::new(MotorParts { inductance: 0.0, ..parts })), "inductance");
     assert_eq!(name(MotorEnergy::new(motor::<f64>(), 0.0, 0.1)), "stiffness");
     assert_eq!(name(MotorEnergy::new(motor::<f64>(), 1.0, -0.1)), "damping");
+    // The current would be infinite.
+    assert_eq!(name(MotorEnergy::new(motor::<f32>(), 3e38, 0.1)), "stiffness");
+    assert_eq!(name(MotorEnergy::new(motor::<f32>(), 1.0, 3e38)), "damping");
     let rod = RigidLink::rod(1.0, 0.5);
     assert_eq!(name(TwoLinkArm::new(RigidLink { mass: 0.0, ..rod }, rod)), "mass");
     assert_eq!(name(TwoLinkArm::new(rod, RigidLink { centre: -0.1, ..rod })), "centre");

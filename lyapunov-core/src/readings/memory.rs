@@ -119,7 +119,8 @@ impl<V: Signal> Memory<V> {
         let efforts =
             EffortRange::choose(gap, self.efforts.with(applied), EffortRange::of(applied));
 
-        let span = self.gap + elapsed;
+        // Times near the end of the range may not add up.
+        let span = (self.gap + elapsed).smaller(V::Scalar::largest());
         let late = span.above(one_and_a_half(period));
         let moved = reading.position - self.position;
         let known = self.known();

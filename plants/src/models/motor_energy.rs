@@ -23,13 +23,16 @@ impl<T: Scalar> MotorEnergy<T> {
     /// The function of `motor` for a shaft's `stiffness`, N·m/rad, and `damping`, N·m·s/rad.
     ///
     /// # Errors
-    /// `stiffness` not above 0 and finite; `damping` below 0, infinite or NaN.
+    /// `stiffness` not above 0 and finite; `damping` below 0, infinite or NaN; either so large that the current it asks for leaves
+    /// the range of the scalar.
     pub fn new(motor: DcMotor<T>, stiffness: T, damping: T) -> Result<Self, ParameterError> {
         let stiffness = Requirement::Positive.check("stiffness", stiffness)?;
         let damping = Requirement::NonNegative.check("damping", damping)?;
         let parts = motor.parts();
         let by_angle = stiffness / parts.torque_constant;
         let by_rate = damping / parts.torque_constant;
+        Requirement::InRange.require("stiffness", stiffness, by_angle.finite())?;
+        Requirement::InRange.require("damping", damping, by_rate.finite())?;
         Ok(Self { parts, stiffness, by_angle, by_rate })
     }
 
