@@ -208,7 +208,8 @@ form! {
         pub alpha: V::Scalar,
         /// The part of the debt that this tick's correction cannot serve, J; it stays.
         pub shortfall: V::Scalar,
-        /// 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds.
+        /// 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several axes or parts with the
+        /// efforts of those that did accept it.
         pub accepted: u32,
         /// The code that the call returned.
         pub code: u32,
