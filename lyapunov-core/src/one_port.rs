@@ -35,6 +35,7 @@ pub trait OnePort<V: Signal> {
     /// This port with `stabilizer` in front, which watches and corrects it at the rate at which the result is called.
     ///
     /// One stabilizer per port: nested ones would serve the same debt twice.
+    #[must_use]
     fn stabilized<S: Stabilizer<V>>(self, stabilizer: S) -> Stabilized<Self, S, V>
     where
         Self: Sized,

@@ -36,6 +36,7 @@ pub trait StabilizerExt: Sized {
     }
 
     /// The same stabilizer, which forfeits its stored credit whenever `gate` opens.
+    #[must_use]
     fn reset_at<G, T: Scalar>(self, gate: G) -> ContactReset<Self, G, T>
     where
         Self: LimitCredit<T>,

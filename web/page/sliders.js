@@ -19,6 +19,7 @@ export const SLIDERS = [
   { key: "operator.mass", label: "Hand mass", unit: "kg", from: 0, to: 1, bend: true },
   { key: "operator.rest", label: "Hand presses to", unit: "mm", scale: 1e3, from: -0.01, to: 0.01 },
   { key: "initial.position", label: "Start", unit: "mm", scale: 1e3, from: -0.01, to: 0.01 },
+  { key: "duration", label: "Length of a run", unit: "s", from: 0.5, to: 50, log: true },
 ];
 
 /** The number at a share from 0 to 1 of a range. */
@@ -51,11 +52,11 @@ export function moved(tree, slider, number) {
   return slider.key === "servo_rate" ? changed(to, "environment_rate", undefined) : to;
 }
 
-/** What a scene holds that no slider shows, nor another part of the page: not the duration, cap and candidate, nor what is usual. */
+/** What a scene holds that no slider shows, nor another part of the page: not the cap and candidate, nor what is usual. */
 export function unseen(tree) {
   const others = pairs(tree).filter(([key, it]) => it !== 0 && (Array.isArray(it) || !SLIDERS.some((slider) => slider.key === key)));
   const lines = others.map(([key, it]) => toml({ [key]: it }).trim());
-  const told = lines.filter((it) => !/^duration|damping_cap|candidate|"(held|plain)"$/.test(it));
+  const told = lines.filter((it) => !/damping_cap|candidate|"(held|plain)"$/.test(it));
   return told.length ? `Also in the scene: ${told.join(", ")}.` : "";
 }
 

@@ -25,11 +25,13 @@ use crate::{ExternalForce, Grip, HandMotion, Jitter, OperatedBody, Trajectory};
 /// ```
 pub trait PlantExt<V: Signal>: Plant<V> + Sized {
     /// Adds the external force `trajectory`, N, in +x: a load, a pulse.
+    #[must_use]
     fn pushed<C: Trajectory<V>>(self, trajectory: C) -> ExternalForce<Self, C> {
         ExternalForce::new(self, trajectory)
     }
 
     /// Moves the rest of the operator's spring along `trajectory`, m.
+    #[must_use]
     fn led_by<C: Trajectory<V>>(self, trajectory: C) -> HandMotion<Self, C>
     where
         Self: OperatedBody<V>,

@@ -64,6 +64,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     }
 
     /// Takes velocities from displacements.
+    #[must_use]
     fn differenced(self) -> BackwardDifference<Self> {
         Estimated::new(self, Differenced)
     }
@@ -118,6 +119,7 @@ pub trait OnePortExt<V: Signal>: OnePort<V> + Sized {
     ///
     /// Estimators of velocities stand outside, `port.guarded(fallback).low_passed(cutoff)?`: one inside would replace the careful
     /// velocity that the [`Guard`] gives after a gap.
+    #[must_use]
     fn guarded(self, fallback: Fallback) -> Guard<Self, V> {
         Guard::new(self, fallback)
     }

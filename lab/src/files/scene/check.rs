@@ -146,6 +146,9 @@ impl Draft {
 
     /// The conflict for a parameter that a block of the loop rejected.
     pub(crate) fn out_of_range(&self, error: &ParameterError, scalar: &str) -> Conflict {
+        if let Some(conflict) = self.refused_part(error, scalar) {
+            return conflict;
+        }
         let (operator, device) = (&self.operator, &self.device);
         let mass = ("device.mass", device.mass.get());
         let damping = ("device.damping", device.damping.get());
@@ -164,51 +167,9 @@ impl Draft {
                 keys.extend(self.further_parts());
                 (keys, format!("the motion within one period is beyond the range of {scalar}"))
             }
-            ("device.damping", Requirement::Positive) => {
-                let name = self.stabilizer.map_or("", |it| it.name());
-                return Conflict::new(
-                    error.parameter,
-                    format!(
-                        "`stabilizer.{name}` relies on a damping of the device, and `device.damping` is {:?} N.s/m",
-                        error.value
-                    ),
-                    format!(
-                        "give the damping that the device surely has, or write the numbers of [stabilizer.{name}]"
-                    ),
-                );
-            }
-            (key, _) if key.starts_with("stabilizer.") => {
-                return Conflict::new(
-                    key,
-                    format!("`{key}` has no default on this loop"),
-                    "write it in that table",
-                );
-            }
             ("mass", _) => (vec![mass, theirs[0]], sum(theirs[0].0, mass.0)),
             ("damping", _) => (vec![damping, theirs[1]], sum(theirs[1].0, damping.0)),
-            ("period", Requirement::InRange) if self.integrator != Integrator::Exact => {
-                return self.integrator.overtaxed(scalar);
-            }
             ("period", _) => (vec![rate], format!("`servo_rate` gives no period within {scalar}")),
-            ("tolerance", Requirement::AtLeast(least)) => {
-                return Conflict::new(
-                    "tolerance",
-                    format!(
-                        "`tolerance` = {:?} is less than rounding in {scalar} lets a step keep",
-                        error.value
-                    ),
-                    format!("give {least:?} or more"),
-                );
-            }
-            ("t" | "value", _) => {
-                return Conflict::new(
-                    "operator.motion.path",
-                    format!(
-                        "two rows of the motion are so far apart that it leaves the range of {scalar}"
-                    ),
-                    "give times in s and places in m",
-                );
-            }
             _ => match self.refused(error, scalar) {
                 Some(conflict) => return conflict,
                 None => (vec![rate], error.to_string()),
@@ -217,6 +178,46 @@ impl Draft {
         let (key, value) = standing_out(keys).unwrap_or(rate);
         let remedy = format!("`{key}` = {value:?} stands out; give a value nearer to 1");
         Conflict::new(key, problem, remedy)
+    }
+
+    /// The conflict of a parameter that one part of the scene decides.
+    fn refused_part(&self, error: &ParameterError, scalar: &str) -> Option<Conflict> {
+        let value = error.value;
+        Some(match (error.parameter, error.requirement) {
+            (key @ "device.damping", Requirement::Positive) => {
+                let name = self.stabilizer.map_or("", |it| it.name());
+                Conflict::new(
+                    key,
+                    format!(
+                        "`stabilizer.{name}` relies on a damping of the device, and `{key}` is {value:?} N.s/m"
+                    ),
+                    format!(
+                        "give the damping that the device surely has, or write the numbers of [stabilizer.{name}]"
+                    ),
+                )
+            }
+            (key, _) if key.starts_with("stabilizer.") => Conflict::new(
+                key,
+                format!("`{key}` has no default on this loop"),
+                "write it in that table",
+            ),
+            ("period", Requirement::InRange) if self.integrator != Integrator::Exact => {
+                self.integrator.overtaxed(scalar)
+            }
+            (key @ "tolerance", Requirement::AtLeast(least)) => Conflict::new(
+                key,
+                format!("`{key}` = {value:?} is less than rounding in {scalar} lets a step keep"),
+                format!("give {least:?} or more"),
+            ),
+            ("t" | "value", _) => Conflict::new(
+                "operator.motion.path",
+                format!(
+                    "two rows of the motion are so far apart that it leaves the range of {scalar}"
+                ),
+                "give times in s and places in m",
+            ),
+            _ => return None,
+        })
     }
 
     /// The values of link and grip that also enter the motion within one period.

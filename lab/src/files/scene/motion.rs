@@ -86,7 +86,7 @@ fn read(path: &Path, open: Open<'_>) -> Result<Arc<[(f64, f64)]>, String> {
         let sample =
             sample(line).ok_or_else(|| at(format!("`{}` is not two numbers", shorten(line))))?;
         if samples.last().is_some_and(|last| sample.0 <= last.0) {
-            return Err(at(format!("t = {} does not come after the row before", sample.0)));
+            return Err(at(format!("t = {:?} does not come after the row before", sample.0)));
         }
         samples.push(sample);
     }

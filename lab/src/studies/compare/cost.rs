@@ -22,8 +22,9 @@ const ROUNDS: usize = 31;
 /// The least number of steps in a round: long compared with one reading of the clock.
 const STEPS: usize = 1 << 15;
 
-/// The time from which on a round may have fewer steps, such as those of a stabilizer that an interpreter runs.
-const LONG: Duration = Duration::from_millis(10);
+/// The time from which on a round may have fewer steps: those of a stabilizer that an interpreter runs, or of a run so short that most
+/// of the time goes into making stabilizers.
+const LONG: Duration = Duration::from_millis(3);
 
 /// The samples and efforts that a stabilizer got, tick by tick.
 pub(super) type Samples<V> = Vec<(PortSample<V>, V)>;
@@ -42,8 +43,10 @@ pub(super) fn of<V: Space>(
 ) -> Result<Vec<Option<StepTime>>, RunError> {
     // One pass before the rounds warms up, and tells how many make a round.
     let passes = entrants.iter().zip(samples).map(|(entrant, samples)| {
-        let one = replay(scene, entrant, samples, 1)?;
-        let enough = LONG.div_duration_f64(one.max(Duration::from_nanos(1))).ceil() as usize;
+        let start = Instant::now();
+        replay(scene, entrant, samples, 1)?;
+        let one = start.elapsed().max(Duration::from_nanos(1));
+        let enough = LONG.div_duration_f64(one).ceil() as usize;
         Ok(STEPS.div_ceil(samples.len().max(1)).min(enough))
     });
     let passes = passes.collect::<Result<Vec<_>, ParameterError>>()?;
