@@ -243,7 +243,8 @@ typedef struct lyapunov_correction_f32 {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
@@ -324,7 +325,8 @@ typedef struct lyapunov_correction_f64 {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
@@ -405,7 +407,8 @@ typedef struct lyapunov_correction_f32x3 {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
@@ -486,7 +489,8 @@ typedef struct lyapunov_correction_f64x3 {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
@@ -567,7 +571,8 @@ typedef struct lyapunov_correction_f32x6 {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
@@ -648,7 +653,8 @@ typedef struct lyapunov_correction_f64x6 {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
@@ -729,7 +735,8 @@ typedef struct lyapunov_correction_f32screw {
     float alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     float shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
@@ -810,7 +817,8 @@ typedef struct lyapunov_correction_f64screw {
     double alpha;
     /* The part of the debt that this tick's correction cannot serve, J; it stays. */
     double shortfall;
-    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds. */
+    /* 1 if the sample was accepted; else 0, with a zero effort or with what a watchdog holds, and of several
+       axes or parts with the efforts of those that did accept it. */
     uint32_t accepted;
     /* The code that the call returned. */
     uint32_t code;
