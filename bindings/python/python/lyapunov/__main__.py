@@ -23,8 +23,9 @@ def heed() -> None:
             signal.signal(number, lambda *_: None)
 
     def wait() -> None:
-        told.recv(1)
-        interrupt()
+        with told, tells:
+            told.recv(1)
+            interrupt()
 
     threading.Thread(target=wait, name="interrupts", daemon=True).start()
 
