@@ -11,7 +11,7 @@ export async function labels(browser) {
   const page = await opened(browser);
   const inputs = "[...document.querySelectorAll('#sliders input')]";
   const told = await page.value(`${inputs}.map((it) => [...it.labels].map((label) => label.textContent.trim()))`);
-  assert.equal(told.length, 12);
+  assert.equal(told.length, 13);
   for (const it of told) assert.ok(it.length === 1 && it[0] !== "", JSON.stringify(told));
   const { nodes } = await page.send("Accessibility.getFullAXTree");
   const called = nodes.filter((it) => it.role?.value === "slider").map((it) => it.name.value);

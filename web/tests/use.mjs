@@ -45,15 +45,15 @@ export async function steps(browser) {
   const page = await opened(browser);
   await mapped(page);
   const scene = () => page.value("lyapunov.scene()");
-  const touch = async () => {
+  const touch = async (key) => {
     const at = await page.place("#map");
     await page.click(at.x, at.y);
     await page.value("document.querySelector('#map').focus()");
-    await page.key("ArrowLeft");
+    await page.key(key);
     return scene();
   };
   const before = await scene();
-  const moved = await touch();
+  const moved = await touch("ArrowLeft");
   assert.notEqual(moved, before);
   const same = "document.querySelector('#map-y')";
   await page.value(`${same}.value = document.querySelector('#map-x').value; ${same}.dispatchEvent(new Event("change"))`);
@@ -75,7 +75,7 @@ export async function steps(browser) {
   await mapped(page);
   assert.deepEqual(await parts(), [true, true, true]);
   const back = await scene();
-  assert.notEqual(await touch(), back);
+  assert.notEqual(await touch("ArrowRight"), back);
   await closed(page);
 }
 
