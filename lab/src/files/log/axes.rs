@@ -7,7 +7,7 @@ use crate::text::shorten;
 /// The axes of a space.
 const AXES: [&str; 3] = ["x", "y", "z"];
 
-/// What the name of a position, and that of a force, has beside the name of its axis.
+/// Parts of the names of positions and of forces beside that of their axis.
 const POSITIONS: [&str; 4] = ["", "pos", "position", "x"];
 const FORCES: [&str; 3] = ["f", "force", "f_act"];
 
