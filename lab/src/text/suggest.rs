@@ -27,11 +27,10 @@ fn plain(word: &str) -> String {
 
 fn likeness(word: &str, candidate: &str) -> f64 {
     let alike = strsim::normalized_damerau_levenshtein;
-    // Keys of other names in the tables of the same name share many letters, and mean other things.
-    let likeness = match (word.rsplit_once('.'), candidate.rsplit_once('.')) {
-        (Some((_, name)), Some((_, other))) if alike(name, other) < ALIKE => 0.0,
-        _ => alike(word, candidate),
-    };
+    // Keys of other names share many letters of their tables, and mean other things.
+    let [name, other] = [word, candidate].map(|key| key.rsplit('.').next().unwrap_or(key));
+    let is_named_so = alike(name, other) >= ALIKE;
+    let likeness = if is_named_so { alike(word, candidate) } else { 0.0 };
     let contained = word.len() >= 3 && (candidate.contains(word) || word.contains(candidate));
     let end =
         word.contains('.') && candidate.strip_suffix(word).is_some_and(|it| it.ends_with('.'));
@@ -48,7 +47,12 @@ mod tests {
 
     #[test]
     fn a_key_without_its_outer_table_is_known_by_its_end() {
-        let keys = ["operator.stiffness", "environment.wall.stiffness", "environment.wall.damping"];
+        let keys = [
+            "environment_rate",
+            "operator.stiffness",
+            "environment.wall.stiffness",
+            "environment.wall.damping",
+        ];
         assert_eq!(nearest("wall.stiffness", &keys), Some("environment.wall.stiffness"));
         assert_eq!(nearest("stifness", &["mass", "stiffness"]), Some("stiffness"));
         assert_eq!(nearest("qwertz", &keys), None);
